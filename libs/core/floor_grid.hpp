@@ -27,13 +27,13 @@ class FloorGrid {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
-  [[nodiscard]] Cell cell_at(const Eigen::Vector2d& p_map) const;   // may lie outside
+  [[nodiscard]] Cell cell_at(const Eigen::Vector2d& p_map) const;  // may lie outside
   [[nodiscard]] Eigen::Vector2d centre_of(Cell c) const;
-  [[nodiscard]] Occupancy at(Cell c) const {                        // outside is unknown
+  [[nodiscard]] Occupancy at(Cell c) const {  // outside is unknown
     return contains(c) ? cells_[index(c)] : Occupancy::kUnknown;
   }
   [[nodiscard]] Occupancy at(const Eigen::Vector2d& p_map) const { return at(cell_at(p_map)); }
-  void set(Cell c, Occupancy value) { cells_[index(c)] = value; }   // c must be inside
+  void set(Cell c, Occupancy value) { cells_[index(c)] = value; }  // c must be inside
   [[nodiscard]] std::size_t index(Cell c) const {
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(c.x);
   }

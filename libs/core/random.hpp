@@ -12,10 +12,10 @@ class RandomStream {
   RandomStream(std::uint64_t seed, std::string_view name);
 
   std::uint64_t next();
-  double uniform();                          // [0, 1)
-  double uniform(double low, double high);   // [low, high)
-  std::uint64_t below(std::uint64_t limit);  // 0 .. limit-1, limit > 0, unbiased
-  double normal();                           // mean 0, standard deviation 1 (polar method)
+  double uniform();                                         // [0, 1)
+  double uniform(double low, double high);                  // [low, high)
+  std::uint64_t below(std::uint64_t limit);                 // 0 .. limit-1, limit > 0, unbiased
+  double normal();                                          // mean 0, standard deviation 1 (polar method)
   [[nodiscard]] RandomStream child(std::string_view name);  // an independent stream
 
   // UniformRandomBitGenerator

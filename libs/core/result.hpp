@@ -28,11 +28,20 @@ class Result {
   static Result failure(E why) { return Result(std::in_place_index<1>, std::move(why)); }
 
   [[nodiscard]] explicit operator bool() const { return state_.index() == 0; }
-  [[nodiscard]] const T& operator*() const { assert(*this); return std::get<0>(state_); }
-  [[nodiscard]] T& operator*() { assert(*this); return std::get<0>(state_); }
+  [[nodiscard]] const T& operator*() const {
+    assert(*this);
+    return std::get<0>(state_);
+  }
+  [[nodiscard]] T& operator*() {
+    assert(*this);
+    return std::get<0>(state_);
+  }
   [[nodiscard]] const T* operator->() const { return &**this; }
   [[nodiscard]] T* operator->() { return &**this; }
-  [[nodiscard]] const E& why() const { assert(!*this); return std::get<1>(state_); }
+  [[nodiscard]] const E& why() const {
+    assert(!*this);
+    return std::get<1>(state_);
+  }
 
  private:
   Result(std::in_place_index_t<1> tag, E why) : state_(tag, std::move(why)) {}

@@ -9,7 +9,8 @@
 
 namespace amiss {
 
-/// Pinhole camera without distortion; pixel (u, v) of p_camera is (fx x/z + cx, fy y/z + cy), pixel centres at integers.
+/// Pinhole camera without distortion; pixel (u, v) of p_camera is (fx x/z + cx, fy y/z + cy), pixel centres at
+/// integers.
 struct CameraIntrinsics {
   int width = 640;
   int height = 480;
