@@ -1,0 +1,24 @@
+#include "core/params.hpp"
+
+#include "segment/segment.hpp"
+
+namespace amiss::segment {
+
+void describe(ParamTable& table, Params& p) {
+  table.number("segment.crop_margin", p.crop_margin_m, "m", 0.0, 1.0, "margin round a region's cylinder (mu)");
+  table.number("segment.plane_distance", p.plane_distance_m, "m", 0.001, 0.05, "of points that belong to the ground");
+  table.number("segment.plane_tilt", p.plane_tilt_rad, "deg", 1.0, 45.0, "largest tilt of the ground");
+  table.number("segment.plane_offset", p.plane_offset_m, "m", 0.005, 0.5, "largest distance of the ground from z = 0");
+  table.number("segment.neighbour_distance", p.neighbour_distance_m, "m", 0.005, 0.2,
+               "proximity of points of one cluster");
+  table.number("segment.min_normal_dot", p.min_normal_dot, "1", -1.0, 1.0, "smoothness: dot product of normals");
+  table.number("segment.max_colour_distance", p.max_colour_distance, "1", 0.0, 442.0,
+               "colour difference of neighbours, Euclidean in RGB");
+  table.number("segment.gap", p.gap_m, "m", 0.0, 0.2, "pieces that are nearer belong together");
+  table.integer("segment.min_points", p.min_points, 1, 100000, "points of a segment");
+  table.number("segment.max_range", p.max_range_m, "m", 0.5, 10.0, "depth that is used");
+  table.number("segment.max_height", p.max_height_m, "m", 0.1, 3.0, "height that is used in a whole frame");
+  table.number("segment.max_size", p.max_size_m, "m", 0.05, 5.0, "horizontal extent of a segment");
+}
+
+}  // namespace amiss::segment
