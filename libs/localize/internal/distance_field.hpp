@@ -1,0 +1,47 @@
+// The distance to the nearest wall of a map, interpolated, and a scan's points aligned to it.
+#pragma once
+
+#include <vector>
+
+#include "core/floor_grid.hpp"
+#include "core/sensors.hpp"
+
+namespace amiss::localize::internal {
+
+class DistanceField {
+ public:
+  explicit DistanceField(const FloorGrid& map);
+
+  struct Sample {
+    double distance_m = 0.0;
+    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+  };
+  /// Bilinear between cell centres; kFar without a gradient outside of the map.
+  [[nodiscard]] Sample at(const Eigen::Vector2d& p_map) const;
+  static constexpr double kFar = 10.0;
+
+ private:
+  FloorGrid frame_;  // for its geometry
+  std::vector<float> distance_m_;
+};
+
+/// At most max_points valid returns in the base frame, evenly taken.
+[[nodiscard]] std::vector<Eigen::Vector2d> points_of(const LaserScan& scan, const Transform<Base, Laser>& T_base_laser,
+                                                     int max_points);
+
+/// Part of the points within `near_m` of a wall.
+[[nodiscard]] double fit_of(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
+                            const Pose2<Map, Base>& T_map_base, double near_m);
+
+/// What is known before the scan is looked at: a pose with independent deviations.
+struct AlignmentPrior {
+  Pose2<Map, Base> T_map_base;
+  double sigma_xy_m = 0.05;
+  double sigma_yaw_rad = radians(2.0);
+};
+
+/// Gauss-Newton with a redescending weight (Geman and McClure): points far from any wall have no say.
+[[nodiscard]] Pose2<Map, Base> aligned(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
+                                       const AlignmentPrior& prior);
+
+}  // namespace amiss::localize::internal

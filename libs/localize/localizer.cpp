@@ -1,0 +1,212 @@
+#include "localize/localizer.hpp"
+
+#include <mrpt/bayes/CParticleFilter.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/random/RandomGenerators.h>
+#include <mrpt/slam/CMonteCarloLocalization2D.h>
+
+#include <algorithm>
+
+#include "core/result.hpp"
+#include "localize/internal/distance_field.hpp"
+#include "localize/internal/mrpt_types.hpp"
+
+namespace amiss::localize {
+
+namespace {
+
+constexpr double kMinMotionXyM = 0.004;  // noise of the motion model at rest keeps particles apart
+constexpr double kMinMotionYawRad = radians(0.15);
+constexpr double kTempering = 0.25;  // exponent of the likelihood: beams are not independent
+constexpr int kRefineBeams = 240;
+constexpr double kPriorSigmaXyM = 0.03;  // least deviation that the filter is trusted with
+constexpr double kPriorSigmaYawRad = radians(1.5);
+constexpr double kCorrectionGain = 0.5;  // part of a correction that one scan applies
+constexpr double kJumpM = 0.2;           // corrections beyond are applied at once
+constexpr int kLostScans = 10;           // that do not fit in a row, then the particles spread
+constexpr int kMaxSpreads = 5;
+constexpr double kLostSpreadM = 0.3;
+
+mrpt::slam::CMonteCarloLocalization2D make_filter(const FloorGrid& map, const LocalizerParams& params) {
+  mrpt::maps::COccupancyGridMap2D::Ptr grid = internal::to_mrpt(map);
+  auto& likelihood = grid->likelihoodOptions;
+  likelihood.likelihoodMethod = mrpt::maps::COccupancyGridMap2D::lmLikelihoodField_Thrun;
+  likelihood.LF_stdHit = static_cast<float>(params.hit_sigma_m);
+  likelihood.LF_zHit = static_cast<float>(params.hit_weight);
+  likelihood.LF_zRandom = static_cast<float>(1.0 - params.hit_weight);
+  likelihood.LF_maxRange = 20.0F;
+  likelihood.LF_maxCorrsDistance = static_cast<float>(4.0 * params.hit_sigma_m);
+  likelihood.LF_decimation = 1;
+  likelihood.enableLikelihoodCache = true;
+  mrpt::slam::CMonteCarloLocalization2D filter(static_cast<std::size_t>(params.particles));
+  filter.options.metricMap = grid;
+  return filter;
+}
+
+mrpt::obs::CActionCollection action_of(const Pose2<Base, Base>& moved, const LocalizerParams& params) {
+  mrpt::obs::CActionRobotMovement2D::TMotionModelOptions options;
+  options.modelSelection = mrpt::obs::CActionRobotMovement2D::mmGaussian;
+  options.gaussianModel = {params.odometry_xy_per_m,    0.01,          params.odometry_yaw_per_m_rad,
+                           params.odometry_yaw_per_rad, kMinMotionXyM, kMinMotionYawRad};
+  mrpt::obs::CActionRobotMovement2D movement;
+  movement.computeFromOdometry(internal::to_mrpt(moved), options);
+  mrpt::obs::CActionCollection actions;
+  actions.insert(movement);
+  return actions;
+}
+
+mrpt::bayes::CParticleFilter make_sampler() {
+  mrpt::bayes::CParticleFilter sampler;
+  sampler.m_options.PF_algorithm = mrpt::bayes::CParticleFilter::pfStandardProposal;
+  sampler.m_options.resamplingMethod = mrpt::bayes::CParticleFilter::prSystematic;
+  sampler.m_options.BETA = 0.5;
+  sampler.m_options.powFactor = kTempering;
+  return sampler;
+}
+
+}  // namespace
+
+struct Localizer::State {
+  State(const FloorGrid& map, const LocalizerParams& p, RandomStream stream)
+      : params(p),
+        random(std::move(stream)),
+        field(map),
+        grid_origin_map(map.origin_m()),
+        filter(make_filter(map, p)),
+        sampler(make_sampler()) {}
+
+  LocalizerParams params;
+  RandomStream random;
+  internal::DistanceField field;
+  Eigen::Vector2d grid_origin_map;  // of the filter's frame
+  mrpt::slam::CMonteCarloLocalization2D filter;
+  mrpt::bayes::CParticleFilter sampler;
+
+  Pose2<Map, Base> start;
+  bool started = false;
+  Pose2<Odom, Base> T_odom_base_filter;  // odometry that the particles stand at
+  Pose2<Map, Odom> T_map_odom;
+  PoseEstimate estimate;
+  LocalizationEvidence evidence;
+  int misfits = 0, spreads = 0;
+
+  void spread(const Pose2<Map, Base>& around, const StartSpread& deviations);
+  Pose2<Map, Base> filtered(const Odometry& odometry, const LaserScan& scan,
+                            const Transform<Base, Laser>& T_base_laser);
+  void correct(const Odometry& odometry, const LaserScan& scan, const Transform<Base, Laser>& T_base_laser);
+  void watch(const Pose2<Map, Base>& pose);
+};
+
+void Localizer::State::spread(const Pose2<Map, Base>& around, const StartSpread& deviations) {
+  for (auto& particle : filter.m_particles) {
+    particle.d.x = around.x_m - grid_origin_map.x() + deviations.xy_m * random.normal();
+    particle.d.y = around.y_m - grid_origin_map.y() + deviations.xy_m * random.normal();
+    particle.d.phi = wrap_angle(around.yaw_rad + deviations.yaw_rad * random.normal());
+    particle.log_w = 0.0;
+  }
+}
+
+/// One step of the particle filter; the mean of the particles.
+Pose2<Map, Base> Localizer::State::filtered(const Odometry& odometry, const LaserScan& scan,
+                                            const Transform<Base, Laser>& T_base_laser) {
+  // A fresh generator, because seeding alone keeps the spare number of MRPT's normal distribution.
+  mrpt::random::getRandomGenerator() = mrpt::random::CRandomGenerator(static_cast<std::uint32_t>(random.next() >> 32U));
+  const auto actions = action_of(T_odom_base_filter.inverse() * odometry.T_odom_base, params);
+  mrpt::obs::CSensoryFrame frame;
+  frame.insert(internal::to_mrpt(scan, T_base_laser, params.beams));
+  mrpt::bayes::CParticleFilter::TParticleFilterStats stats;
+  sampler.executeOn(filter, &actions, &frame, &stats);
+  T_odom_base_filter = odometry.T_odom_base;
+
+  const auto [covariance, mean] = filter.getCovarianceAndMean();
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 3; ++col) estimate.covariance(row, col) = covariance(row, col);
+  }
+  evidence.effective_part = stats.ESS_beforeResample;
+  evidence.spread_m = std::sqrt(std::max(0.0, covariance(0, 0) + covariance(1, 1)));
+  return {mean.x() + grid_origin_map.x(), mean.y() + grid_origin_map.y(), wrap_angle(mean.phi())};
+}
+
+void Localizer::State::correct(const Odometry& odometry, const LaserScan& scan,
+                               const Transform<Base, Laser>& T_base_laser) {
+  Pose2<Map, Base> pose = filtered(odometry, scan, T_base_laser);
+  const auto points_base = internal::points_of(scan, T_base_laser, kRefineBeams);
+  if (params.refine) {
+    const double sigma_yaw_rad = std::sqrt(std::max(0.0, estimate.covariance(2, 2)));
+    pose = internal::aligned(
+        field, points_base,
+        {pose, std::max(kPriorSigmaXyM, evidence.spread_m), std::max(kPriorSigmaYawRad, sigma_yaw_rad)});
+  }
+  evidence.fit = internal::fit_of(field, points_base, pose, params.fit_distance_m);
+  ++evidence.scans;
+
+  const Pose2<Map, Base> predicted = T_map_odom * odometry.T_odom_base;
+  const bool jump = (pose.position() - predicted.position()).norm() > kJumpM;
+  const double gain = jump || evidence.scans == 1 ? 1.0 : kCorrectionGain;
+  const Pose2<Map, Base> corrected{predicted.x_m + gain * (pose.x_m - predicted.x_m),
+                                   predicted.y_m + gain * (pose.y_m - predicted.y_m),
+                                   wrap_angle(predicted.yaw_rad + gain * wrap_angle(pose.yaw_rad - predicted.yaw_rad))};
+  T_map_odom = corrected * odometry.T_odom_base.inverse();
+  watch(pose);
+}
+
+/// Spreads the particles, wider each time, while scans do not fit.
+void Localizer::State::watch(const Pose2<Map, Base>& pose) {
+  const bool fits = evidence.fit >= params.min_fit;
+  estimate.converged = fits && evidence.spread_m <= params.max_spread_m;
+  misfits = fits ? 0 : misfits + 1;
+  if (fits) spreads = 0;
+  if (misfits < kLostScans) return;
+  misfits = 0;
+  spreads = std::min(spreads + 1, kMaxSpreads);
+  spread(pose, {kLostSpreadM * spreads, radians(10.0 * spreads)});
+}
+
+Localizer::Localizer(const FloorGrid& map, const Pose2<Map, Base>& start, const StartSpread& spread,
+                     const LocalizerParams& params, RandomStream random) {
+  if (std::find(map.cells().begin(), map.cells().end(), Occupancy::kOccupied) == map.cells().end()) {
+    throw ArgumentError("The map to localize on has no occupied cell; a map with walls is needed.");
+  }
+  state_ = std::make_unique<State>(map, params, std::move(random));
+  state_->start = start;
+  state_->estimate.T_map_base = start;
+  state_->spread(start, spread);
+}
+
+Localizer::~Localizer() = default;
+Localizer::Localizer(Localizer&&) noexcept = default;
+Localizer& Localizer::operator=(Localizer&&) noexcept = default;
+
+PoseEstimate Localizer::update(const Odometry& odometry, const LaserScan* scan,
+                               const Transform<Base, Laser>& T_base_laser) {
+  State& s = *state_;
+  if (!s.started) {
+    s.started = true;
+    s.T_map_odom = s.start * odometry.T_odom_base.inverse();
+    s.T_odom_base_filter = odometry.T_odom_base;
+  }
+  if (scan != nullptr) s.correct(odometry, *scan, T_base_laser);
+  s.estimate.stamp = odometry.stamp;
+  s.estimate.T_map_base = s.T_map_odom * odometry.T_odom_base;
+  return s.estimate;
+}
+
+Pose2<Map, Odom> Localizer::T_map_odom() const { return state_->T_map_odom; }
+const PoseEstimate& Localizer::estimate() const { return state_->estimate; }
+const LocalizationEvidence& Localizer::evidence() const { return state_->evidence; }
+
+void Localizer::relocalize(const Pose2<Map, Base>& around, const StartSpread& spread) {
+  State& s = *state_;
+  s.spread(around, spread);
+  const Pose2<Odom, Base> T_odom_base = s.T_map_odom.inverse() * s.estimate.T_map_base;
+  s.estimate.T_map_base = around;
+  s.estimate.converged = false;
+  s.start = around;
+  s.T_map_odom = around * T_odom_base.inverse();
+  s.T_odom_base_filter = T_odom_base;
+  s.misfits = s.spreads = 0;
+}
+
+}  // namespace amiss::localize
