@@ -42,13 +42,18 @@ struct Formula {
   int first_variable = 0;           // index of variables[0] among the values bound
 };
 
-/// For all values of `variables` for which `condition` holds before the action: the atom becomes true or false.
+struct Literal {
+  Atom atom;
+  bool positive = true;
+};
+
+/// For all values of `variables` for which `condition` holds before the action, the literals become true. What one
+/// effect of an action makes false and another makes true is true afterwards.
 struct Effect {
   std::vector<Variable> variables;
   int first_variable = 0;
   Formula condition;
-  Atom atom;
-  bool adds = true;
+  std::vector<Literal> literals;
 };
 
 /// One summand of an action's cost: a number, or the value of a function of objects.
