@@ -32,7 +32,7 @@ class DriveMap {
   /// a layer and unknown in the reference become free. Only the part that changed is computed anew.
   /// Returns the number of cells that changed.
   std::size_t update(std::span<const FloorGrid* const> layers, std::span<const Eigen::Vector2d> hits_map);
-  /// Cells within `radius_m` are free whatever the layers say, in this and later updates (the robot stands there).
+  /// Cells within `radius_m` are free whatever the layers say, from the next update on (the robot stands there).
   void keep_free(std::vector<Eigen::Vector2d> places_map, double radius_m);
 
   [[nodiscard]] const FloorGrid& grid() const { return grid_; }
@@ -59,7 +59,10 @@ class DriveMap {
   double free_radius_m_ = 0.0;
 };
 
-/// Where the beams of a sweep ended, in the map frame; beams without return and beyond `max_range_m` are left out.
+/// Where the beams of a sweep ended, in the base frame; beams without return and beyond `max_range_m` are left out.
+[[nodiscard]] std::vector<Eigen::Vector2d> laser_hits(const LaserScan& scan, const Transform<Base, Laser>& T_base_laser,
+                                                      double max_range_m);
+/// The same in the map frame.
 [[nodiscard]] std::vector<Eigen::Vector2d> laser_hits(const LaserScan& scan, const Pose2<Map, Base>& T_map_base,
                                                       const Transform<Base, Laser>& T_base_laser, double max_range_m);
 

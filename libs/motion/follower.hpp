@@ -43,7 +43,7 @@ class Follower {
   Follower(const robot::Limits& limits, FollowerParams params);
 
   void start(Path path);
-  /// To be called once in a control period. `hits_base`: where laser beams ended, in the base frame.
+  /// To be called once in a control period. `hits_base`: laser_hits(), in the base frame.
   [[nodiscard]] FollowStep step(const Pose2<Map, Base>& T_map_base, const DriveMap& map,
                                 std::span<const Eigen::Vector2d> hits_base, Duration period);
   [[nodiscard]] const Path& path() const { return path_; }
@@ -58,10 +58,5 @@ class Follower {
   double yaw_rate_rad_s_ = 0.0;
   double blocked_s_ = 0.0;
 };
-
-/// Where the beams of a sweep ended, in the base frame.
-[[nodiscard]] std::vector<Eigen::Vector2d> laser_hits_base(const LaserScan& scan,
-                                                           const Transform<Base, Laser>& T_base_laser,
-                                                           double max_range_m);
 
 }  // namespace amiss::motion

@@ -1,6 +1,6 @@
 // Lengths of the shortest ways from one place to all others, over cells that the robot's centre can be in.
 // DriveMap, place in the map frame -> metres (infinite where there is no way) and the way itself.
-// Dijkstra over 16 neighbours (Dial 1969 buckets): at most 2.8 % longer than the shortest way in the open.
+// Dijkstra over 16 neighbours in buckets (Dial 1969): at most 2.8 % longer than the shortest way in the open.
 #pragma once
 
 #include <limits>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motion/drive_map.hpp"
+#include "motion/internal/grid_search.hpp"
 
 namespace amiss::motion {
 
@@ -19,17 +20,19 @@ class PathLengths {
   PathLengths(const DriveMap& map, const Eigen::Vector2d& from_map, double escape_m = 0.5);
 
   [[nodiscard]] float to(const Eigen::Vector2d& p_map) const;
-  [[nodiscard]] float to(Cell c) const { return geometry_.contains(c) ? lengths_m_[geometry_.index(c)] : kUnreachable; }
+  [[nodiscard]] float to(Cell c) const {
+    return geometry_.contains(c) ? field_.cost_m[geometry_.index(c)] : kUnreachable;
+  }
   /// To the passable cell nearest to the place within `tolerance_m`.
   [[nodiscard]] float near(const Eigen::Vector2d& p_map, double tolerance_m) const;
   /// Row-major as the grid of the map; what the functions of `view` call travel_m.
-  [[nodiscard]] std::span<const float> field() const { return lengths_m_; }
+  [[nodiscard]] std::span<const float> field() const { return field_.cost_m; }
   /// Cell centres from the beginning to the place; empty where there is no way.
   [[nodiscard]] std::vector<Eigen::Vector2d> way_to(const Eigen::Vector2d& p_map) const;
 
  private:
   FloorGrid geometry_;
-  std::vector<float> lengths_m_;
+  internal::SearchField field_;
 };
 
 /// Way lengths between all places (row-major n x n, symmetric), infinite where there is none; each place may be moved
