@@ -34,7 +34,7 @@ class ObstacleLayer {
 
  private:
   bool project(const VoxelMap& map, int block_x, int block_y);
-  bool set_cell(int voxel_x, int voxel_y, bool occupied, bool seen);
+  bool set_cell(Cell cell, bool occupied, bool seen);
 
   ObstacleLayerParams params_;
   int cell_x_ = 0, cell_y_ = 0;  // voxel index of cell (0, 0)

@@ -69,7 +69,7 @@ class VoxelMap {
   [[nodiscard]] Occupancy at(const Eigen::Vector3d& p_map) const;  // outside the limits: unknown
   [[nodiscard]] Occupancy at(Voxel v) const { return values_.at(v); }
   void set(Voxel v, Occupancy value);            // occupied, free: clamped log-odds; v within the limits
-  void set_log_odds(Voxel v, double log_odds);   // clamped; occupied where > 0
+  void set_log_odds(Voxel v, double log_odds);   // clamped; occupied where >= 0
   [[nodiscard]] double log_odds(Voxel v) const;  // 0 where unknown
   [[nodiscard]] int hit_frames(Voxel v) const;   // frames that hit it since it was unknown, at most 255: the evidence
 
@@ -112,7 +112,8 @@ class VoxelMap {
 [[nodiscard]] VoxelMap dilated(const VoxelMap& map, int radius = 1);
 
 /// Speckles: groups of occupied voxels (26 neighbours) of at most `max_voxels` that touch nothing else occupied become
-/// free. The thesis deletes such spurious measurements by hand (4.2.1).
+/// free. The floor (z < 0) stays and does not count as touched. The thesis deletes such spurious measurements by hand
+/// (4.2.1).
 [[nodiscard]] VoxelMap without_speckles(const VoxelMap& map, int max_voxels = 1);
 
 }  // namespace amiss::mapping
