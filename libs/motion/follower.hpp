@@ -50,6 +50,17 @@ class Follower {
   [[nodiscard]] double travelled_m() const { return along_m_; }  // on the path, from its beginning
 
  private:
+  [[nodiscard]] Eigen::Vector2d point_at(double along_m) const;
+  double advance(const Eigen::Vector2d& position);
+  [[nodiscard]] Eigen::Vector2d carrot(const Eigen::Vector2d& position, const DriveMap& map) const;
+  [[nodiscard]] double wanted_speed(const Eigen::Vector2d& position, const DriveMap& map, double heading_error_rad,
+                                    double carrot_m) const;
+  [[nodiscard]] double free_along(const Pose2<Map, Base>& pose, const Eigen::Vector2d& direction_map,
+                                  const DriveMap& map, std::span<const Eigen::Vector2d> hits_base) const;
+  void turn_towards(double yaw_error_rad, double dt_s);
+  void move_with(const Eigen::Vector2d& velocity_map, double dt_s);
+  FollowStep stop(FollowStatus status);
+
   FollowerParams params_;
   Path path_;
   std::vector<double> arc_m_;  // length up to each corner
@@ -57,6 +68,7 @@ class Follower {
   Eigen::Vector2d velocity_map_m_s_ = Eigen::Vector2d::Zero();
   double yaw_rate_rad_s_ = 0.0;
   double blocked_s_ = 0.0;
+  bool at_goal_ = false;
 };
 
 }  // namespace amiss::motion
