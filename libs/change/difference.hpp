@@ -11,7 +11,7 @@
 
 #include <map>
 #include <optional>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/floor_grid.hpp"
@@ -46,9 +46,9 @@ class Differencer {
  private:
   struct BlockDifference {
     mapping::BlockBits appeared{}, vanished{};
-    std::size_t unseen = 0;
     [[nodiscard]] bool empty() const;
   };
+  void start_afresh();
   void compare_block(const mapping::VoxelMap& current, mapping::BlockKey key);
   [[nodiscard]] std::uint64_t clear_columns(int block_x, int block_y);  // of the grid, cached
   void gather();
@@ -57,8 +57,9 @@ class Differencer {
   mapping::VoxelBlocks undilated_;                       // the reference's occupied voxels, dilation taken back
   std::optional<FloorGrid> grid_;                        // dilated
   std::map<mapping::BlockKey, BlockDifference> blocks_;  // those that are not empty
-  std::map<std::pair<int, int>, std::uint64_t> columns_;
+  std::vector<std::size_t> unseen_in_;                   // for each block of the reference
   std::size_t unseen_ = 0;
+  std::map<std::pair<int, int>, std::uint64_t> columns_;
   std::uint64_t revision_ = 0;
   Difference latest_;
 };
