@@ -39,7 +39,7 @@ class Flat {
     flat.box({8.3, 7.7}, {10.2, 8.2});
     flat.legs({5.3, 3.2}, {6.7, 4.1});  // table
     flat.legs({2.4, 2.9}, {2.9, 3.4});  // chair
-    flat.legs({7.0, 6.4}, {8.2, 7.1});
+    flat.legs({7.3, 6.9}, {8.5, 7.6});
     return flat;
   }
 
