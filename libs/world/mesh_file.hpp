@@ -1,6 +1,6 @@
 // Mesh files (.obj, .dae, .stl, .ply, ...) -> triangles with materials.
 // Out: parts in the file's own axes, in metres: the unit of a .dae is applied, its up_axis is not (models made for
-// Gazebo stand upright as they are). Normals are computed where they are missing; parts of one material are merged.
+// Gazebo stand upright as they are). Normals are computed where they are missing; a part is one node and material.
 // Errors: InputError naming the file. What is missing beside it (textures, materials) becomes a warning.
 #pragma once
 

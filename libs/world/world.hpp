@@ -21,12 +21,13 @@ struct Texture {
 
 struct Material {
   Eigen::Vector3f diffuse = Eigen::Vector3f(0.7F, 0.7F, 0.7F);  // linear factor, multiplied with the texture
-  float alpha = 1.0F;        // below 0.99 the depth camera may see through: drawn in colour only
-  float specular = 0.1F;     // 0 matt .. 1 shiny; shiny and black surfaces drop out of the depth image
+  float alpha = 1.0F;     // below 0.99 the depth camera may see through: drawn in colour only
+  float specular = 0.1F;  // 0 matt .. 1 shiny; shiny and black surfaces drop out of the depth image
   std::shared_ptr<const Texture> texture;
 };
 
 /// Triangles with one material; normals and (if textured) uvs, colours (if any) are as long as the vertices.
+/// Texture coordinate (0, 0) is the top left corner of the texture, (1, 1) the bottom right one; they repeat outside.
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<Eigen::Vector3f> normals;
@@ -35,11 +36,24 @@ struct Mesh {
   std::vector<std::uint32_t> indices;  // three a triangle, counter-clockwise from outside
 };
 
-struct Box { Eigen::Vector3d size; };
-struct Cylinder { double radius; double length; };  // along z, origin in the middle
-struct Sphere { double radius; };
-struct Plane { Eigen::Vector3d normal; Eigen::Vector2d size; };  // finite for drawing, endless for physics
-struct MeshInstance { std::shared_ptr<const Mesh> mesh; Eigen::Vector3d scale; };
+struct Box {
+  Eigen::Vector3d size;
+};
+struct Cylinder {
+  double radius;
+  double length;
+};  // along z, origin in the middle
+struct Sphere {
+  double radius;
+};
+struct Plane {
+  Eigen::Vector3d normal;
+  Eigen::Vector2d size;
+};  // finite for drawing, endless for physics
+struct MeshInstance {
+  std::shared_ptr<const Mesh> mesh;
+  Eigen::Vector3d scale;
+};
 using Geometry = std::variant<Box, Cylinder, Sphere, Plane, MeshInstance>;
 
 struct Shape {
@@ -50,7 +64,7 @@ struct Shape {
 
 /// One rigid body (an SDF link; a static model is one body).
 struct Body {
-  std::string name;               // unique: the model's name, "::link" added where a model has several bodies
+  std::string name;  // unique: the model's name, "::link" added where a model has several bodies
   Transform<amiss::World, Object> pose;
   bool is_static = true;
   double mass_kg = 1.0;
