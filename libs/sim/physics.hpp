@@ -1,7 +1,7 @@
 // Rigid bodies of a world: things fall, roll, rest, are pushed and fall asleep (Bullet, fixed step).
 // World -> poses of its bodies in the world frame, one step after the other; the same calls give the same bytes.
 // Static meshes collide as triangles, meshes of moving bodies as their convex hull. A body without collision shapes
-// stays where it is put. ArgumentError when a moving body has a shape that cannot move (a plane).
+// stays where it is put.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +44,7 @@ class Physics {
   [[nodiscard]] std::size_t body_count() const;
   [[nodiscard]] bool is_present(std::size_t body) const;
   [[nodiscard]] bool is_static(std::size_t body) const;
+  [[nodiscard]] const std::string& name(std::size_t body) const;
   [[nodiscard]] bool all_asleep() const;
   [[nodiscard]] bool is_asleep(std::size_t body) const;
   [[nodiscard]] const Transform<amiss::World, Object>& pose(std::size_t body) const;
@@ -52,9 +53,9 @@ class Physics {
   /// Counts up whenever the pose of a moving body changes.
   [[nodiscard]] std::uint64_t revision(std::size_t body) const;
 
-  /// Distance [m] from one body to the nearest static one whose bounds reach over `floor_top_m`, or nothing where it
-  /// is more than `limit_m`. Negative: they overlap.
-  [[nodiscard]] std::optional<double> static_distance(std::size_t body, double floor_top_m, double limit_m) const;
+  /// Distance [m] from a moving body to the nearest other one that is not ground (static, no higher than 1 cm, or what
+  /// it stands on), or nothing where that is more than `limit_m`. Negative: they overlap.
+  [[nodiscard]] std::optional<double> distance_to_others(std::size_t body, double limit_m) const;
 
   struct RayHit {
     double range_m;

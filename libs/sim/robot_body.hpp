@@ -4,6 +4,7 @@
 // on.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct Touch {
 struct RobotStep {
   Pose2<amiss::World, Base> T_world_base;
   bool blocked = false;        // a static body held it, in part or altogether
-  std::vector<Touch> touches;  // sorted by link and body, one for each pair
+  std::vector<Touch> touches;  // sorted by body, one for each
 };
 
 class RobotBody {
@@ -38,7 +39,9 @@ class RobotBody {
 
   /// Moves towards `wanted` as far as static bodies allow (along them where it can) while `dt` passes for all bodies.
   [[nodiscard]] RobotStep move(const RobotState& wanted, Duration dt);
-  /// Does the robot, standing so, touch a static body other than the ground?
+  /// To be told when static bodies were added, placed or removed.
+  void statics_changed();
+  /// Would the robot, standing so, touch no static body other than the ground?
   [[nodiscard]] bool fits(const RobotState& state);
 
  private:

@@ -67,7 +67,7 @@ class Simulator final : public robot::Robot {
   /// CPU time of the calling thread or the worker's, by part, since the start; no decision and no report's digest may
   /// rest on it.
   struct CpuTime {
-    double physics_s = 0.0, laser_s = 0.0, render_s = 0.0;
+    double physics_s = 0.0, laser_s = 0.0, render_s = 0.0, noise_s = 0.0;
   };
   [[nodiscard]] CpuTime cpu_time() const;
 
