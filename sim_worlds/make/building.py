@@ -4,9 +4,10 @@ import math
 from model import numbers
 
 HEIGHT, DOOR = 2.5, (1.04, 2.08)        # m: rooms; hole for models/door_frame
+BARE = ("facade", "tiles_wall")          # sides without a skirting board
 SURFACES = {                            # colour or texture
-    "white": (0.93, 0.92, 0.89), "sand": (0.90, 0.84, 0.73), "sky": (0.74, 0.82, 0.86), "sage": (0.76, 0.81, 0.73),
-    "rose": (0.88, 0.78, 0.72), "facade": (0.80, 0.77, 0.72), "teal": (0.36, 0.52, 0.54), "skirting": (0.95, 0.95, 0.94),
+    "white": (0.95, 0.94, 0.91), "sand": (0.94, 0.88, 0.77), "sky": (0.74, 0.82, 0.86), "sage": (0.78, 0.84, 0.75),
+    "facade": (0.80, 0.77, 0.72), "teal": (0.36, 0.52, 0.54), "linen": (0.93, 0.88, 0.79), "skirting": (0.95, 0.95, 0.94),
     "parquet": "parquet", "parquet_dark": "parquet_dark", "laminate": "laminate", "carpet": "carpet",
     "tiles_kitchen": "tiles_kitchen", "tiles_bath": "tiles_bath", "tiles_wall": "tiles_wall", "wallpaper": "wallpaper",
 }
@@ -71,7 +72,7 @@ class World:
         parts = box("collision", "part_%d" % k, *place(thick, 0, bottom, top))
         for side, sign in ((0, 1), (1, -1)):
             parts += box("visual", "side_%d_%d" % (k, side), *place(thick / 2, sign * thick / 4, bottom, top), sides[side])
-            if bottom == 0 and sides[side] not in ("facade", "tiles_wall"):
+            if bottom == 0 and sides[side] not in BARE:
                 parts += box("visual", "skirting_%d_%d" % (k, side), *place(0.012, sign * (thick / 2 + 0.006), 0, 0.07),
                              "skirting")
         return parts
@@ -93,9 +94,10 @@ class World:
         head = ['<?xml version="1.0"?>', "<!-- %s. Metres, z up, floor at z = 0. -->" % self.about, '<sdf version="1.9">',
                 '  <world name="%s">' % self.name,
                 '    <frame name="robot_start"><pose>%s</pose></frame>' % numbers((x, y, 0, 0, 0, math.radians(degrees))),
-                "    <scene><ambient>0.62 0.62 0.64 1</ambient><background>0.75 0.84 0.92 1</background>"
+                "    <scene><ambient>0.72 0.72 0.73 1</ambient><background>0.75 0.84 0.92 1</background>"
                 "<shadows>false</shadows></scene>",
-                *_light("sun", (-0.35, 0.45, -0.82), 0.55), *_light("fill", (0.60, -0.55, -0.30), 0.22)]
+                *_light("sun", (-0.35, 0.45, -0.82), 0.40), *_light("fill", (0.60, -0.55, -0.30), 0.20),
+                *_light("bounce", (0, 0, 1), 0.22)]
         with open(path, "w", encoding="ascii") as out:
             out.write("\n".join(head + self.body + ["  </world>", "</sdf>"]) + "\n")
 

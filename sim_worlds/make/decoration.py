@@ -51,7 +51,7 @@ def _leaf(length, width, droop):
         w = width * math.sin(math.pi * min(1.0, 0.04 + u * 0.96)) ** 0.7
         return (length * u, (v - 0.5) * w, -droop * u * u + 0.25 * abs(v - 0.5) * w)
 
-    front = shapes.sheet(point, 5, 2)
+    front = shapes.sheet(point, 4, 2)
     return front + shapes.flipped(shapes.moved(front, (0, 0, -0.002)))
 
 
@@ -78,8 +78,8 @@ def plant_small(name, about):
     """A pot plant, 0.38 high, 0.30 across: for window sills, boards and tables."""
     model = Model(name, about)
     _pot(model, "ceramic", 0.075, 0.13)
-    for k in range(16):
-        t = k / 16
+    for k in range(14):
+        t = k / 14
         model.show("leaf_light" if k % 2 else "leaf", _leaf(0.22 - 0.04 * t, 0.045, 0.09), (0, 0, 0.11),
                    (0, -0.45 - 0.95 * t, 2.4 * k))
     model.solid_cylinder(0.11, 0.22, (0, 0, 0.25))
@@ -89,8 +89,8 @@ def plant_small(name, about):
 def _pot(model, material, radius, height):
     profile = [(0, 0), (radius * 0.72, 0), (radius * 0.96, height * 0.86), (radius, height * 0.86), (radius, height),
                (radius * 0.9, height), (radius * 0.86, height * 0.88)]
-    model.show(material, shapes.lathe(profile, 22))
-    model.show("soil", shapes.lathe([(radius * 0.9, height * 0.88), (0, height * 0.9)], 22))
+    model.show(material, shapes.lathe(profile, 18))
+    model.show("soil", shapes.lathe([(radius * 0.9, height * 0.88), (0, height * 0.9)], 18))
     model.solid_cylinder(radius * 0.86, height * 0.86, (0, 0, height * 0.43))
     model.solid_cylinder(radius, height * 0.14, (0, 0, height * 0.93))
 
@@ -154,18 +154,19 @@ def window(name, about, width, height):
     return model
 
 
-def door_leaf(name, about):
-    """0.04 x 0.96, 2.00 high, two fields and handles on both sides; hinged at -y."""
+def door_leaf(name, about, material, fields, width, height):
+    """0.04 thick, two fields and handles on both sides; hinged at -y."""
     model = Model(name, about)
-    model.box("door_white", (0.04, 0.96, 1.99), (0, 0, 1.00), bevel=0.003)
+    model.box(material, (0.04, width, height), (0, 0, 0.005 + height / 2))
     for side in (1, -1):
-        for z, tall in ((1.42, 0.90), (0.48, 0.70)):
-            model.trim("white", (0.008, 0.62, tall), (side * 0.021, 0, z), bevel=0.003)
-            model.trim("door_white", (0.008, 0.54, tall - 0.08), (side * 0.024, 0, z), bevel=0.003)
-        model.trim("steel", (0.006, 0.035, 0.16), (side * 0.023, 0.42, 1.03))
-        bar = [(side * 0.02, 0.42, 1.06), (side * 0.06, 0.42, 1.06), (side * 0.06, 0.32, 1.06)]
+        for z, tall in ((1.45, 0.90), (0.50, 0.70)):
+            model.trim(fields, (0.008, width - 0.34, tall), (side * 0.021, 0, z), bevel=0.003)
+            model.trim(material, (0.008, width - 0.42, tall - 0.08), (side * 0.024, 0, z), bevel=0.003)
+        y = width / 2 - 0.06
+        model.trim("steel", (0.006, 0.035, 0.16), (side * 0.023, y, 1.03))
+        bar = [(side * 0.02, y, 1.06), (side * 0.06, y, 1.06), (side * 0.06, y - 0.10, 1.06)]
         model.show("steel", shapes.tube(bar, 0.009, 6))
-        model.solid_box((0.05, 0.12, 0.02), (side * 0.045, 0.37, 1.06))
+        model.solid_box((0.05, 0.12, 0.02), (side * 0.045, y - 0.05, 1.06))
     return model
 
 
@@ -173,12 +174,12 @@ def door_frame(name, about):
     """Lines a hole of 1.04 x 2.08 in a wall up to 0.13 thick; 0.98 x 2.05 stay clear; one walks along x."""
     model = Model(name, about)
     for side in (1, -1):
-        model.box("white", (0.15, 0.03, 2.08), (0, side * 0.505, 1.04), bevel=0.003)
+        model.box("white", (0.15, 0.03, 2.08), (0, side * 0.505, 1.04))
         for face in (1, -1):
-            model.trim("white", (0.014, 0.06, 2.14), (face * 0.069, side * 0.548, 1.07), bevel=0.003)
-    model.box("white", (0.15, 0.98, 0.03), (0, 0, 2.065), bevel=0.003)
+            model.box("white", (0.014, 0.06, 2.14), (face * 0.069, side * 0.548, 1.07))
+    model.box("white", (0.15, 0.98, 0.03), (0, 0, 2.065))
     for face in (1, -1):
-        model.trim("white", (0.014, 1.036, 0.06), (face * 0.069, 0, 2.11), bevel=0.003)
+        model.trim("white", (0.014, 1.036, 0.06), (face * 0.069, 0, 2.11))
     return model
 
 

@@ -31,27 +31,26 @@ def _shell(world):
     world.wall("west_living", (w, -OUT), (w, MID), OUT, ("sand", "facade"), [window(2.2, 1.2)])
     world.wall("west_kitchen", (w, MID), (w, DEEP + OUT), OUT, ("white", "facade"), [window(6.4, 1.2)])
     world.wall("east_bedroom", (e, -OUT), (e, MID), OUT, ("facade", "wallpaper"))
-    world.wall("east_corridor", (e, MID), (e, BACK), OUT, ("facade", "white"), [hole(5.22)])
+    world.wall("east_corridor", (e, MID), (e, BACK), OUT, ("facade", "linen"), [hole(5.22)])
     world.wall("east_study", (e, BACK), (e, DEEP + OUT), OUT, ("facade", "sage"))
     world.wall("living_kitchen", (0, MID), (SIDE, MID), IN, ("white", "teal"), [hole(1.3)])
-    world.wall("living_corridor", (SIDE, MID), (EAST, MID), IN, ("white", "teal"), [hole(5.0)])
-    world.wall("bedroom_corridor", (EAST, MID), (WIDE, MID), IN, ("white", "sky"), [hole(7.5)])
+    world.wall("living_corridor", (SIDE, MID), (EAST, MID), IN, ("linen", "teal"), [hole(5.0)])
+    world.wall("bedroom_corridor", (EAST, MID), (WIDE, MID), IN, ("linen", "sky"), [hole(6.94)])
     world.wall("living_bedroom", (EAST, 0), (EAST, MID - IN / 2), IN, ("sky", "sand"))
-    world.wall("kitchen_corridor", (SIDE, MID + IN / 2), (SIDE, BACK), IN, ("white", "white"), [hole(5.22)])
+    world.wall("kitchen_corridor", (SIDE, MID + IN / 2), (SIDE, BACK), IN, ("linen", "white"), [hole(5.22)])
     world.wall("kitchen_bathroom", (SIDE, BACK), (SIDE, DEEP), IN, ("tiles_wall", "white"))
-    world.wall("corridor_bathroom", (SIDE + IN / 2, BACK), (EAST, BACK), IN, ("tiles_wall", "white"), [hole(5.0)])
-    world.wall("corridor_study", (EAST, BACK), (WIDE, BACK), IN, ("sage", "white"), [hole(7.5)])
+    world.wall("corridor_bathroom", (SIDE + IN / 2, BACK), (EAST, BACK), IN, ("tiles_wall", "linen"), [hole(4.36)])
+    world.wall("corridor_study", (EAST, BACK), (WIDE, BACK), IN, ("sage", "linen"), [hole(6.94)])
     world.wall("bathroom_study", (EAST, BACK + IN / 2), (EAST, DEEP), IN, ("sage", "tiles_wall"))
 
 
 def _openings(world):
-    for x, y, turn in ((1.3, MID, 90), (5.0, MID, 90), (7.5, MID, 90), (SIDE, 5.22, 0), (5.0, BACK, 90), (7.5, BACK, 90),
+    for x, y, turn in ((1.3, MID, 90), (5.0, MID, 90), (6.94, MID, 90), (SIDE, 5.22, 0), (4.36, BACK, 90), (6.94, BACK, 90),
                        (WIDE + OUT / 2, 5.22, 0)):
         world.door(x, y, turn)
-    world.put("door_leaf", WIDE + 0.06, 5.22, 180, name="door_leaf")            # the entrance, shut
-    world.put("door_leaf", 6.98, 3.90, 0)                                       # bedroom, open, square to its wall
-    world.put("door_leaf", 6.98, 6.55, 180)                                     # study
-    world.put("door_leaf", 4.48, 6.55, 180)                                     # bathroom
+    world.put("door_entrance", WIDE + 0.06, 5.22, 180)
+    for x, y, turn in ((6.45, 3.90, 0), (6.45, 6.54, 180), (3.87, 6.54, 180)):     # bedroom, study, bathroom: open
+        world.put("door_leaf", x, y, turn)
     for x in (1.5,):
         world.put("window", x, -OUT / 2, 90, 1.55)
     for x in (4.2, 8.7):
@@ -89,8 +88,8 @@ def _kitchen(world):
     world.put("kitchen_wall_unit", 1.435, DEEP - 0.176, -90)
     world.put("fridge", 3.24, DEEP - 0.36, -90)
     world.put("table_round", 0.62, 6.35)
-    world.put("chair_dining", 0.62, 5.72, 90)
-    world.put("chair_dining", 0.66, 6.98, -90)
+    world.put("chair_dining", 0.62, 5.80, 90)
+    world.put("chair_dining", 0.66, 6.90, -90)
     world.put("lamp_pendant", 0.62, 6.35)
     world.put("shelf_open", 3.40, 6.75, 180)
     world.put("bin_paper", 3.42, 7.55, name="bin")
@@ -102,8 +101,8 @@ def _corridor(world):
     world.put("mirror", 9.35, MID + 0.06, 90, 1.65)
     world.put("coat_rack", 9.6, BACK - 0.06, -90)
     world.put("rug_runner", 5.9, 5.22, 0)
-    world.put("picture_sea", 6.26, MID + 0.06, 90, 1.55)
-    world.put("picture_leaves", 6.26, BACK - 0.06, -90, 1.55)
+    world.put("picture_sea", 5.95, MID + 0.06, 90, 1.55)
+    world.put("picture_leaves", 5.6, BACK - 0.06, -90, 1.55)
 
 
 def _bedroom(world):
@@ -114,7 +113,9 @@ def _bedroom(world):
     world.put("wardrobe", EAST + IN / 2 + 0.31, 1.65, 0)
     world.put("dresser", 9.65, 4.16, -90)
     world.put("picture_shapes", 8.75, 4.4, -90, 1.6)
-    world.put("armchair", 7.35, 0.75, 60)
+    world.put("stool", 6.60, 0.28)
+    world.put("plant_small", 6.60, 0.28, z=0.45)
+    world.put("armchair", 7.45, 0.75, 60)
     world.put("rug_bedroom", 8.0, 2.0, 0)
     world.put("basket_laundry", 10.52, 3.85)
     world.put("picture_hills", WIDE, 2.0, 180, 1.6)
@@ -125,23 +126,23 @@ def _study(world):
     world.put("chair_office", 8.75, DEEP - 0.95, 100)
     world.put("desk_small", WIDE - 0.40, 7.05, 180)
     world.put("chair_office", WIDE - 0.95, 7.0, -10)
-    for y in (7.35, 8.25):
+    for y in (7.47, 8.28):
         world.put("bookcase", EAST + IN / 2 + 0.16, y, 0)
     world.put("bookcase_low", 7.3, DEEP - 0.17, -90)
     world.put("plant_small", 7.45, DEEP - 0.16, z=1.10)
     world.put("filing_cabinet", 10.45, DEEP - 0.32, -90)
     world.put("bin_paper", 9.85, 8.50, name="bin")
     world.put("plant_tall", 10.35, 6.42)
-    world.put("picture_shapes", 9.2, BACK + IN / 2, 90, 1.55)
+    world.put("picture_shapes", 8.6, BACK + IN / 2, 90, 1.55)
 
 
 def _bathroom(world):
     world.put("bathtub", 4.60, DEEP - 0.385, -90)
-    world.put("washbasin", SIDE + IN / 2 + 0.25, 7.15, 0)
+    world.put("washbasin", SIDE + IN / 2 + 0.25, 7.46, 0)
     world.put("toilet", EAST - IN / 2 - 0.345, 7.45, 180)
     world.put("washing_machine", EAST - IN / 2 - 0.31, 6.37, 180)
-    world.put("shelf_open", 5.74, DEEP - 0.20, -90)
-    world.put("rug_bath", 4.60, 7.65, 0)
+    world.put("shelf_towels", 5.83, DEEP - 0.20, -90)
+    world.put("rug_bath", 4.75, 7.62, 0)
     world.put("towel_rail", 4.6, DEEP, -90)
 
 

@@ -54,10 +54,10 @@ def _front(model, y, wide, kind):
     if kind == "drawers":
         for z, tall in ((0.765, 0.19), (0.52, 0.29), (0.24, 0.26)):
             model.trim("sage", (0.02, wide - 0.008, tall), (x, y, z), bevel=0.003)
-            model.trim("brass", (0.022, 0.18, 0.012), (x + 0.019, y, z + tall / 2 - 0.045), bevel=0.004)
+            model.trim("brass", (0.022, 0.18, 0.012), (x + 0.019, y, z + tall / 2 - 0.045))
     elif kind in ("door", "washer"):
         model.trim("sage", (0.02, wide - 0.008, 0.75), (x, y, 0.485), bevel=0.003)
-        model.trim("brass", (0.022, 0.30, 0.012), (x + 0.019, y, 0.80), bevel=0.004)
+        model.trim("brass", (0.022, 0.30, 0.012), (x + 0.019, y, 0.80))
     else:
         model.trim("steel", (0.02, wide - 0.008, 0.11), (x, y, 0.805), bevel=0.003)
         for k in range(5):
@@ -65,7 +65,7 @@ def _front(model, y, wide, kind):
                        (x + 0.018, y + 0.09 * (k - 2), 0.805))
         model.trim("black", (0.02, wide - 0.008, 0.50), (x, y, 0.49), bevel=0.003)
         model.trim("graphite", (0.004, 0.40, 0.28), (x + 0.011, y, 0.47))
-        model.trim("steel", (0.03, 0.48, 0.018), (x + 0.024, y, 0.70), bevel=0.006)
+        model.trim("steel", (0.03, 0.48, 0.018), (x + 0.024, y, 0.70))
         model.trim("sage", (0.02, wide - 0.008, 0.125), (x, y, 0.17), bevel=0.003)
 
 
@@ -91,7 +91,7 @@ def kitchen_wall_unit(name, about):
             y = y0 + (k + 0.5) * leaf
             model.trim("sage", (0.02, leaf - 0.008, 0.69), (0.165, y, 1.80), bevel=0.003)
             side = -1 if k == 0 and doors == 2 else 1
-            model.trim("brass", (0.022, 0.012, 0.14), (0.184, y - side * (leaf / 2 - 0.04), 1.56), bevel=0.004)
+            model.trim("brass", (0.022, 0.012, 0.14), (0.184, y - side * (leaf / 2 - 0.04), 1.56))
     model.box("steel", (0.34, 0.60, 0.05), (-0.005, -0.66, 1.60), bevel=0.008)
     model.box("steel", (0.24, 0.26, 0.53), (-0.05, -0.66, 1.885), bevel=0.006)
     return model
@@ -105,7 +105,7 @@ def fridge(name, about):
     for z, tall in ((0.40, 0.64), (1.285, 1.10)):
         model.box("steel", (0.05, 0.595, tall), (0.30, 0, z), bevel=0.012)
     for z, tall in ((0.52, 0.34), (1.08, 0.50)):
-        model.trim("graphite", (0.03, 0.022, tall), (0.338, 0.25, z), bevel=0.006)
+        model.trim("graphite", (0.03, 0.022, tall), (0.338, 0.25, z))
     for k, paint in enumerate(("red", "yellow", "teal")):
         model.trim(paint, (0.004, 0.05, 0.05), (0.326, -0.10 + 0.10 * k, 1.55 - 0.07 * (k % 2)))
     model.trim("white", (0.002, 0.15, 0.21), (0.326, -0.14, 1.32))
@@ -143,7 +143,8 @@ def toilet(name, about):
     model = Model(name, about)
     bowl = shapes.lathe([(0, 0), (0.62, 0), (0.55, 0.10), (0.62, 0.22), (0.95, 0.34), (1.0, 0.39), (0, 0.39)], 24, True)
     model.show("ceramic", [[((p[0] * 0.24, p[1] * 0.185, p[2]), n, t) for p, n, t in tri] for tri in bowl], (0.09, 0, 0))
-    model.solid_box((0.29, 0.22, 0.24), (0.09, 0, 0.12))
+    model.solid_cylinder(0.125, 0.26, (0.05, 0, 0.13))
+    model.solid_cylinder(0.125, 0.26, (0.12, 0, 0.13))
     model.solid_box((0.42, 0.32, 0.15), (0.09, 0, 0.315))
     model.box("ceramic", (0.24, 0.26, 0.38), (-0.16, 0, 0.19), bevel=0.02)
     lid = shapes.lathe([(0, 0.395), (1.0, 0.395), (1.03, 0.41), (0.98, 0.425), (0, 0.43)], 24, True)
@@ -162,7 +163,7 @@ def washbasin(name, about):
     model.box("graphite", (0.36, 0.70, 0.13), (-0.04, 0, 0.065))
     for z in (0.30, 0.62):
         model.trim("oak", (0.018, 0.77, 0.31), (0.208, 0, z), bevel=0.003)
-        model.trim("graphite", (0.022, 0.24, 0.012), (0.226, 0, z + 0.10), bevel=0.004)
+        model.trim("graphite", (0.022, 0.24, 0.012), (0.226, 0, z + 0.10))
     for side in (1, -1):
         model.box("ceramic", (0.48, 0.12, 0.07), (0, side * 0.34, 0.825), bevel=0.012)
         model.box("ceramic", (0.08 if side > 0 else 0.12, 0.58, 0.07), (side * (0.20 if side > 0 else 0.18), 0, 0.825), bevel=0.012)

@@ -8,15 +8,19 @@ BOOKS = 16      # spines side by side in books.png
 
 
 def view(u, v):
-    """Hills under a sky."""
-    hills, trees, cloud = Noise(61, 5, 1), Noise(62, 40, 20), Noise(63, 6, 9)
-    far, near = 0.42 + 0.12 * hills(u, 0.5), 0.30 + 0.10 * hills(u * 0.6 + 0.4, 0.5)
+    """Hills under a sky, a hedge and a meadow."""
+    far, near = 0.46 + 0.10 * _RIDGE(u, 0.5), 0.30 + 0.07 * _RIDGE(u * 0.6 + 0.4, 0.5) + 0.03 * _CROWNS(u, 0.5)
     if v > far:
-        sky = mix((0.82, 0.90, 0.97), (0.45, 0.66, 0.92), (v - far) * 1.7)
-        return mix(sky, (0.98, 0.98, 0.98), 2.2 * (cloud(u, v) - 0.55))
+        sky = mix((0.86, 0.92, 0.97), (0.50, 0.70, 0.93), (v - far) * 1.7)
+        return mix(sky, (0.98, 0.98, 0.98), 2.4 * (0.7 * _CLOUD(u, v) + 0.3 * _PUFFS(u, v) - 0.55))
     if v > near:
-        return mix((0.52, 0.66, 0.62), (0.42, 0.57, 0.47), (far - v) * 6)
-    return mix((0.36, 0.54, 0.24), (0.20, 0.36, 0.15), trees(u, v))
+        return mix((0.60, 0.72, 0.70), (0.44, 0.60, 0.48), (far - v) * 6)
+    if v > 0.17:
+        return mix((0.36, 0.52, 0.26), (0.14, 0.28, 0.12), 0.6 * _CROWNS(u, v * 2) + 0.4 * _PUFFS(u * 2, v * 3))
+    return mix((0.58, 0.70, 0.36), (0.44, 0.60, 0.28), _PUFFS(u, v * 4))
+
+
+_RIDGE, _CLOUD, _CROWNS, _PUFFS = Noise(61, 5, 1), Noise(63, 5, 9), Noise(62, 26, 20), Noise(64, 50, 50)
 
 
 def hills(u, v):
@@ -121,7 +125,7 @@ def duvet(u, v):
 
 
 PICTURES = {
-    "view": ((256, 256), view), "picture_hills": ((192, 144), hills), "picture_shapes": ((144, 192), shapes),
+    "view": ((384, 288), view), "picture_hills": ((192, 144), hills), "picture_shapes": ((144, 192), shapes),
     "picture_sea": ((192, 144), sea), "picture_leaves": ((128, 192), leaves), "books": ((256, 128), books),
     "rug_living": ((384, 256), _rug((0.56, 0.20, 0.17), (0.88, 0.80, 0.64), (0.80, 0.60, 0.38), 6)),
     "rug_bedroom": ((256, 256), _rug((0.80, 0.78, 0.73), (0.36, 0.46, 0.52), (0.52, 0.60, 0.64), 4)),

@@ -144,10 +144,10 @@ def lathe(profile, segments=16, smooth=False):
 
 
 def cylinder(radius, length, segments=16, top_radius=None, offset=(0.0, 0.0)):
-    """Round z through its middle, with caps; top_radius makes it a cone."""
+    """Round z through its middle, with caps; top_radius makes it a cone. The grain of a long one runs along it."""
     top = radius if top_radius is None else top_radius
     h = length / 2
-    return mapped(lathe([(0, -h), (radius, -h), (top, h), (0, h)], segments), offset=offset)
+    return mapped(lathe([(0, -h), (radius, -h), (top, h), (0, h)], segments), length > 3 * radius, offset)
 
 
 def cushion(size, segments=16, rings=8, roundness=0.35):
@@ -233,4 +233,4 @@ def tube(points, radius, segments=8):
                                   (rings[-1], points[-1], unit(sub(points[-1], points[-2])))):
         for k in range(segments):
             shape.append([(p, outward, (0.0, 0.0)) for p in (middle, ring[k][0], ring[(k + 1) % segments][0])])
-    return mapped(facing(shape))
+    return mapped(facing(shape), turned=True)

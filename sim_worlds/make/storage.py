@@ -75,10 +75,9 @@ def cabinet(name, about, size, wood, front, columns, rows, doors=False, knob="br
             model.trim(front, (0.018, cell - 0.008, tall - 0.008), (depth / 2 - 0.018, y, z), bevel=0.003)
             if doors:
                 side = 1 if i % 2 == 0 else -1
-                model.trim(knob, (0.02, 0.012, min(0.16, tall / 2)), (depth / 2 + 0.001, y + side * (cell / 2 - 0.045), z),
-                           bevel=0.004)
+                model.trim(knob, (0.02, 0.012, min(0.16, tall / 2)), (depth / 2 + 0.001, y + side * (cell / 2 - 0.045), z))
             else:
-                model.trim(knob, (0.02, min(0.16, cell / 3), 0.012), (depth / 2 + 0.001, y, z + tall * 0.22), bevel=0.004)
+                model.trim(knob, (0.02, min(0.16, cell / 3), 0.012), (depth / 2 + 0.001, y, z + tall * 0.22))
     return model
 
 
@@ -108,13 +107,13 @@ def wardrobe(name, about, width, doors, front):
         for z, tall in ((1.56, 0.80), (0.60, 0.86)):
             model.trim(front, (0.008, leaf - 0.16, tall), (0.292, y, z), bevel=0.003)
         side = 1 if k % 2 == 0 else -1
-        model.trim("brass", (0.022, 0.014, 0.30), (0.302, y + side * (leaf / 2 - 0.045), 1.08), bevel=0.005)
+        model.trim("brass", (0.022, 0.014, 0.30), (0.302, y + side * (leaf / 2 - 0.045), 1.08))
     model.solid_box((0.02, width, 1.96), (0.28, 0, 1.07))
     return model
 
 
-def open_shelf(name, about, width, height, shelves):
-    """0.38 deep, without a back: steel posts and wooden boards with jars, boxes and a machine part or two."""
+def open_shelf(name, about, width, height, shelves, fill):
+    """0.38 deep, without a back: steel posts and wooden boards; fill(model, board, width, z) puts things on a board."""
     model, depth = Model(name, about), 0.38
     for x in (0.175, -0.175):
         for side in (1, -1):
@@ -122,20 +121,33 @@ def open_shelf(name, about, width, height, shelves):
     for k in range(shelves):
         z = 0.13 + k * (height - 0.16) / (shelves - 1)
         model.box("birch", (depth - 0.02, width - 0.01, 0.024), (0, 0, z), bevel=0.004)
-        if k == shelves - 1:
-            continue
-        top = z + 0.012
-        for j in range(3):
-            y, kind = (j - 1) * width / 3.2, (k + j) % 3
-            if kind == 0:
-                model.box(("cream", "sage", "navy")[j], (0.28, width / 3.8, 0.20), (0, y, top + 0.10), bevel=0.008)
-                model.trim("white", (0.003, 0.08, 0.05), (0.141, y, top + 0.12))
-            elif kind == 1:
-                for i in range(2):
-                    at = (0.05 - 0.10 * i, y + 0.07 * (i - 0.5), top + 0.075)
-                    model.cylinder(("glass", "terracotta")[i], 0.045, 0.15, at, segments=14)
-                    model.show("oak", shapes.cylinder(0.047, 0.018, 14), (at[0], at[1], top + 0.159))
-            else:
-                model.box("graphite", (0.22, 0.17, 0.13), (0, y, top + 0.065), bevel=0.01)
-                model.trim("red", (0.004, 0.03, 0.03), (0.111, y + 0.04, top + 0.09))
+        if k < shelves - 1:
+            fill(model, k, width, z + 0.012)
     return model
+
+
+def jars_and_boxes(model, k, width, z):
+    for j in range(3):
+        y, kind = (j - 1) * width / 3.2, (k + j) % 3
+        if kind == 0:
+            model.box(("cream", "sage", "navy")[j], (0.28, width / 3.8, 0.20), (0, y, z + 0.10), bevel=0.008)
+            model.trim("white", (0.003, 0.08, 0.05), (0.141, y, z + 0.12))
+        elif kind == 1:
+            for i in range(2):
+                at = (0.05 - 0.10 * i, y + 0.07 * (i - 0.5), z + 0.075)
+                model.cylinder(("glass", "terracotta")[i], 0.045, 0.15, at, segments=12)
+                model.show("oak", shapes.cylinder(0.047, 0.018, 12), (at[0], at[1], z + 0.159))
+        else:
+            model.box("graphite", (0.22, 0.17, 0.13), (0, y, z + 0.065), bevel=0.01)
+            model.trim("red", (0.004, 0.03, 0.03), (0.111, y + 0.04, z + 0.09))
+
+
+def towels(model, k, width, z):
+    if k == 0:
+        model.box("wicker", (0.30, width - 0.12, 0.22), (0, 0, z + 0.11), bevel=0.015)
+        return
+    for j in range(2):
+        for i in range(4 - j - k % 2):
+            paint = ("linen", "teal", "cream", "sage")[(i + j + k) % 4]
+            model.cushion(paint, (0.29, 0.22, 0.058), (0, (j - 0.5) * 0.27, z + 0.028 + 0.054 * i), roundness=0.35,
+                          segments=12, rings=6)

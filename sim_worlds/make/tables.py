@@ -106,7 +106,7 @@ def tv_board(name, about):
     model.box("walnut", (0.012, 1.76, 0.313), (-0.20, 0, 0.3175))
     for side in (1, -1):
         model.box("walnut", (0.02, 0.56, 0.30), (0.19, side * 0.595, 0.3175), bevel=0.003)
-        model.trim("brass", (0.02, 0.16, 0.014), (0.208, side * 0.595, 0.40), bevel=0.004)
+        model.trim("brass", (0.02, 0.16, 0.014), (0.208, side * 0.595, 0.40))
     model.box("walnut", (0.36, 0.58, 0.015), (0, 0, 0.32))
     model.box("black", (0.24, 0.40, 0.055), (0.04, 0, 0.356), bevel=0.006)
     model.box("graphite", (0.22, 0.30, 0.045), (0.04, 0, 0.184), bevel=0.006)

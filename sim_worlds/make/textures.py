@@ -67,7 +67,7 @@ def planks(seed, light, dark, rows=10, length=2):
     """Floor boards along u, 1/rows m wide, each row shifted."""
     grain, source = wood(seed, light, dark), random.Random(seed)
     shift = [source.random() for _ in range(rows)]
-    tone = [[0.86 + 0.2 * source.random() for _ in range(length)] for _ in range(rows)]
+    tone = [[0.90 + 0.14 * source.random() for _ in range(length)] for _ in range(rows)]
 
     def pixel(u, v):
         row = int(v * rows) % rows
@@ -80,7 +80,7 @@ def planks(seed, light, dark, rows=10, length=2):
 
 
 def tiles(seed, light, dark, count, joint, border=0.012):
-    patch, source = Noise(seed, 24, 24), random.Random(seed)
+    patch, source = Noise(seed, 60, 60), random.Random(seed)
     tone = [[0.96 + 0.06 * source.random() for _ in range(count)] for _ in range(count)]
 
     def pixel(u, v):
@@ -119,33 +119,36 @@ def basket(light, dark):
 
 
 def wallpaper(ground, motif):
-    """Small leaves on a plain ground, in rows shifted by half."""
+    """Sprigs of three pairs of leaves on a plain ground, in rows shifted by half."""
     fuzz = Noise(31, 90, 90)
 
     def pixel(u, v):
-        row = int(v * 8)
-        x, y = (u * 8 + 0.5 * (row % 2)) % 1.0 - 0.5, v * 8 % 1.0 - 0.5
-        leaf = min(abs(abs(x) - 0.28 * math.sin(math.pi * (y + 0.35) / 0.7)), 1.0) if abs(y) < 0.35 else 1.0
-        line = leaf < 0.035 or (abs(x) < 0.018 and abs(y) < 0.42)
-        return shade(motif if line else ground, 0.96 + 0.05 * fuzz(u, v))
+        x, y = (u * 6 + 0.5 * (int(v * 6) % 2)) % 1.0 - 0.5, v * 6 % 1.0 - 0.5
+        ink = abs(x) < 0.012 and -0.40 < y < 0.30
+        for k in range(3):
+            a, b = abs(x), y + 0.26 - 0.20 * k
+            along, across = 0.77 * a + 0.64 * b, -0.64 * a + 0.77 * b
+            size = 0.26 - 0.04 * k
+            ink = ink or (0 < along < size and abs(across) < 0.9 * along * (size - along) / size)
+        return shade(motif if ink else ground, 0.97 + 0.05 * fuzz(u, v))
     return pixel
 
 
 TEXTURES = {
-    "oak": (256, wood(1, (0.80, 0.64, 0.44), (0.62, 0.45, 0.27))),
-    "walnut": (256, wood(2, (0.50, 0.33, 0.21), (0.29, 0.18, 0.11))),
+    "oak": (256, wood(1, (0.80, 0.64, 0.45), (0.67, 0.50, 0.32), 7)),
+    "walnut": (256, wood(2, (0.50, 0.34, 0.23), (0.36, 0.23, 0.15), 6)),
     "birch": (256, wood(3, (0.90, 0.81, 0.66), (0.79, 0.67, 0.49), 6)),
     "bamboo": (256, wood(4, (0.86, 0.74, 0.50), (0.72, 0.57, 0.33), 22)),
     "door_white": (64, wood(5, (0.93, 0.93, 0.91), (0.87, 0.87, 0.85))),
-    "parquet": (512, planks(11, (0.76, 0.57, 0.37), (0.55, 0.38, 0.22))),
-    "parquet_dark": (512, planks(12, (0.56, 0.40, 0.27), (0.38, 0.26, 0.17), 8)),
+    "parquet": (512, planks(11, (0.80, 0.66, 0.49), (0.66, 0.51, 0.35))),
+    "parquet_dark": (512, planks(12, (0.56, 0.42, 0.31), (0.43, 0.31, 0.22), 8)),
     "laminate": (512, planks(13, (0.78, 0.72, 0.63), (0.64, 0.57, 0.48), 5, 1)),
-    "tiles_kitchen": (256, tiles(21, (0.78, 0.74, 0.67), (0.69, 0.64, 0.57), 2, (0.52, 0.50, 0.47))),
-    "tiles_bath": (256, tiles(22, (0.55, 0.63, 0.67), (0.47, 0.55, 0.60), 4, (0.80, 0.82, 0.82))),
-    "tiles_wall": (256, tiles(23, (0.90, 0.93, 0.93), (0.86, 0.90, 0.91), 5, (0.70, 0.74, 0.75))),
+    "tiles_kitchen": (256, tiles(21, (0.80, 0.76, 0.69), (0.74, 0.69, 0.62), 2, (0.60, 0.57, 0.53), 0.008)),
+    "tiles_bath": (256, tiles(22, (0.53, 0.62, 0.66), (0.49, 0.57, 0.62), 4, (0.80, 0.82, 0.82), 0.010)),
+    "tiles_wall": (256, tiles(23, (0.93, 0.95, 0.95), (0.90, 0.93, 0.94), 5, (0.78, 0.81, 0.82), 0.009)),
     "tiles_splash": (256, tiles(24, (0.62, 0.72, 0.68), (0.52, 0.63, 0.60), 10, (0.86, 0.86, 0.82), 0.008)),
     "carpet": (256, speckled(31, (0.50, 0.53, 0.57), (0.33, 0.36, 0.41))),
-    "wallpaper": (256, wallpaper((0.80, 0.84, 0.80), (0.60, 0.69, 0.62))),
+    "wallpaper": (384, wallpaper((0.85, 0.87, 0.82), (0.67, 0.75, 0.67))),
     "fabric_blue": (256, weave(41, (0.33, 0.44, 0.56), (0.18, 0.27, 0.38))),
     "fabric_grey": (256, weave(42, (0.62, 0.61, 0.59), (0.44, 0.43, 0.42))),
     "fabric_mustard": (256, weave(43, (0.86, 0.67, 0.28), (0.68, 0.48, 0.14), 40)),
