@@ -36,7 +36,7 @@ struct RenderedFrame {
 
 struct RenderOptions {
   double near_m = 0.05, far_m = 30.0;   // along z of the camera
-  std::span<const std::size_t> hidden;  // indices of bodies that are not drawn
+  std::span<const std::size_t> hidden = {};  // indices of bodies that are not drawn
   bool cull = true;                     // skip what lies outside of the frustum; the picture is the same without
 };
 
