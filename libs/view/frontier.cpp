@@ -99,7 +99,8 @@ std::vector<Frontier> frontiers(const FloorGrid& grid, std::span<const float> tr
       found.push_back(std::move(frontier));
     }
   }
-  std::stable_sort(found.begin(), found.end(), [](const Frontier& a, const Frontier& b) { return a.utility > b.utility; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Frontier& a, const Frontier& b) { return a.utility > b.utility; });
   return found;
 }
 
