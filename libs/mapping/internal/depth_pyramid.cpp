@@ -12,9 +12,9 @@ struct ReachLimits {
   float min_range, max_hit, max_range, voxel;
 };
 
-AMISS_WIDE void reach_of_row(const float* depth, std::size_t step, std::size_t n, ReachLimits limits, float* reach) {
+AMISS_WIDE void reach_of_row(const float* depth, std::size_t n, ReachLimits limits, float* reach) {
   for (std::size_t i = 0; i < n; ++i) {
-    const float d = depth[i * step];
+    const float d = depth[i];
     const float beyond = std::min(d - limits.voxel, limits.max_range);
     const float reaches = d <= limits.max_hit ? d : beyond;
     reach[i] = d >= limits.min_range && d <= std::numeric_limits<float>::max() ? reaches : 0.0f;
@@ -22,6 +22,15 @@ AMISS_WIDE void reach_of_row(const float* depth, std::size_t step, std::size_t n
 }
 
 }  // namespace
+
+const float* sampled_row(const RgbdFrame& frame, std::size_t step, std::size_t row, std::vector<float>& packed) {
+  const auto width = static_cast<std::size_t>(frame.intrinsics.width);
+  const float* from = &frame.depth_m[row * step * width];
+  if (step == 1) return from;
+  packed.resize((width + step - 1) / step);
+  for (std::size_t i = 0; i < packed.size(); ++i) packed[i] = from[i * step];
+  return packed.data();
+}
 
 void DepthPyramid::build(const RgbdFrame& frame, const VoxelMapParams& params) {
   const int step = params.pixel_step;
@@ -34,8 +43,8 @@ void DepthPyramid::build(const RgbdFrame& frame, const VoxelMapParams& params) {
   const auto w = static_cast<std::size_t>(finest.width);
   finest.low.resize(w * static_cast<std::size_t>(finest.height));
   for (std::size_t row = 0; row < static_cast<std::size_t>(finest.height); ++row) {
-    const std::size_t from = row * static_cast<std::size_t>(step) * static_cast<std::size_t>(frame.intrinsics.width);
-    reach_of_row(&frame.depth_m[from], static_cast<std::size_t>(step), w, limits, &finest.low[row * w]);
+    const float* depth = sampled_row(frame, static_cast<std::size_t>(step), row, packed_);
+    reach_of_row(depth, w, limits, &finest.low[row * w]);
   }
   std::size_t level = 0;
   while (levels_[level].width > 2 || levels_[level].height > 2) {

@@ -13,6 +13,10 @@ struct PixelRect {
   int u_first = 0, u_last = -1, v_first = 0, v_last = -1;
 };
 
+/// Row `row` of the image of every step-th pixel, packed into `packed` where step is not 1.
+[[nodiscard]] const float* sampled_row(const RgbdFrame& frame, std::size_t step, std::size_t row,
+                                       std::vector<float>& packed);
+
 /// Every pixel_step-th pixel of the frame. reach = 0 where the pixel says nothing.
 class DepthPyramid {
  public:
@@ -36,6 +40,7 @@ class DepthPyramid {
   void halve(const Level& fine, bool finest, Level& coarse) const;
 
   std::vector<Level> levels_;
+  std::vector<float> packed_;
 };
 
 }  // namespace amiss::mapping

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "mapping/internal/depth_pyramid.hpp"
 #include "mapping/internal/wide.hpp"
 
 namespace amiss::mapping {
@@ -16,9 +17,9 @@ struct RowGeometry {
   std::int32_t nx, ny;
 };
 
-AMISS_WIDE void voxels_of_row(const float* depth, std::size_t step, std::size_t n, RowGeometry g, std::int32_t* out) {
+AMISS_WIDE void voxels_of_row(const float* depth, std::size_t n, RowGeometry g, std::int32_t* out) {
   for (std::size_t i = 0; i < n; ++i) {
-    const float d = depth[i * step];
+    const float d = depth[i];
     const bool good = d >= g.min_depth && d <= g.max_depth;
     const float used = good ? d : 0.0f;
     const auto u = static_cast<float>(static_cast<std::int32_t>(i));
@@ -65,7 +66,7 @@ void EndPoints::count(const RgbdFrame& frame, const Frustum& frustum, const Voxe
       g.across[k] = R(k, 1) * y + R(k, 2) - R(k, 0) * frustum.cx / frustum.fx;
       g.origin[k] = frustum.t_local_camera[k];
     }
-    voxels_of_row(&frame.depth_m[v * step * width], step, n, g, row_.data());
+    voxels_of_row(sampled_row(frame, step, v, packed_), n, g, row_.data());
     scatter();
   }
 }

@@ -28,6 +28,7 @@ class EndPoints {
   std::vector<std::uint16_t> counts_;    // 512 for each slot
   std::int32_t slots_ = 0;
   std::vector<std::int32_t> row_;  // 512 * block + voxel in block, or -1, for a row of pixels
+  std::vector<float> packed_;
 };
 
 }  // namespace amiss::mapping
