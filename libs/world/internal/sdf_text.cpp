@@ -60,9 +60,10 @@ class Preparer {
   std::string where(const XMLElement& element) const {
     return file_.string() + ":" + std::to_string(element.GetLineNum());
   }
-  void warn(const XMLElement& element, const std::string& what) {
-    out_.warnings.push_back(where(element) + ": " + what);
+  void warn(int line, const std::string& what) {
+    out_.warnings.push_back(file_.string() + ":" + std::to_string(line) + ": " + what);
   }
+  void warn(const XMLElement& element, const std::string& what) { warn(element.GetLineNum(), what); }
 
   void prepare_world(XMLElement& root, XMLElement& world) {
     for (XMLElement* extra : children(root)) {
@@ -115,7 +116,7 @@ class Preparer {
   void prepare_siblings(XMLElement& parent, const std::string& scope) {
     std::set<std::string> names;
     for (XMLElement* child : children(parent)) {
-      if (is_one_of(*child, kNamedChildren)) make_name_unique(*child, names);
+      if (is_one_of(*child, kNamedChildren)) make_name_unique(*child, names, child->GetLineNum());
     }
     for (XMLElement* child : children(parent)) {
       if (is_named(*child, "include")) replace_include(parent, *child, scope, names);
@@ -129,18 +130,18 @@ class Preparer {
     }
   }
 
-  void make_name_unique(XMLElement& element, std::set<std::string>& names) {
+  void make_name_unique(XMLElement& element, std::set<std::string>& names, int line) {
     const std::string wanted = text_of_attribute(element, "name");
     std::string name = wanted.empty() ? std::string(element.Name()) : wanted;
     if (name == "world" || name == "__root__") name += "_";
     for (int i = 2; !names.insert(name).second; ++i)
       name = (wanted.empty() ? element.Name() : wanted) + "_" + std::to_string(i);
     if (name != wanted) {
-      warn(element, std::string("<") + element.Name() + "> named '" + wanted + "' is renamed to '" + name +
-                        "', names must be there and unique");
+      warn(line, std::string("<") + element.Name() + "> named '" + wanted + "' is renamed to '" + name +
+                     "', names must be there and unique");
       element.SetAttribute("name", name.c_str());
     }
-    out_.lines.emplace(name, element.GetLineNum());
+    out_.lines.emplace(name, line);
   }
 
   void prepare_model(XMLElement& model, const std::string& scoped) {
@@ -161,7 +162,7 @@ class Preparer {
         link.DeleteChild(child);
         continue;
       }
-      if (is_one_of(*child, kNamedChildren)) make_name_unique(*child, names);
+      if (is_one_of(*child, kNamedChildren)) make_name_unique(*child, names, child->GetLineNum());
       if (is_named(*child, "inertial")) {
         for (const std::string& fault : repair_inertial(*child)) {
           warn(*child, "link '" + text_of_attribute(link, "name") + "': " + fault);
@@ -203,7 +204,7 @@ class Preparer {
     parent.InsertAfterChild(&include, &model);
     const std::string name = text_of_child(include, "name");
     model.SetAttribute("name", (name.empty() ? tree.name : name).c_str());
-    make_name_unique(model, names);
+    make_name_unique(model, names, include.GetLineNum());
     const std::string placement = text_of_child(include, "placement_frame");
     if (!placement.empty() && version_ > 1.75) model.SetAttribute("placement_frame", placement.c_str());
     if (XMLElement* pose = include.FirstChildElement("pose")) {

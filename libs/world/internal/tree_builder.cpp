@@ -12,6 +12,8 @@
 #include <sdf/SemanticPose.hh>
 #include <sdf/Visual.hh>
 #include <sdf/World.hh>
+#include <sdf/parser.hh>
+#include <stdexcept>
 
 #include "core/result.hpp"
 #include "world/internal/sdf_console.hpp"
@@ -53,12 +55,9 @@ class Builder {
           std::vector<std::string>& warnings)
       : text_(text), file_(file), shapes_(shapes), warnings_(warnings) {}
 
-  FileTree run() {
-    silence_sdf_console();
+  FileTree run(const sdf::SDFPtr& grammar) {
     sdf::Root root;
-    sdf::ParserConfig config;
-    config.SetFindCallback([](const std::string&) { return std::string(); });
-    const sdf::Errors errors = root.LoadSdfString(text_.text, config);
+    const sdf::Errors errors = parse(grammar, root);
     const bool usable = text_.is_world ? root.WorldCount() > 0 : root.Model() != nullptr || root.Light() != nullptr;
     if (!usable) throw InputError(sentence(errors));
     for (const sdf::Error& error : errors) warnings_.push_back(sentence({error}));
@@ -73,6 +72,19 @@ class Builder {
   }
 
  private:
+  sdf::Errors parse(const sdf::SDFPtr& grammar, sdf::Root& root) const {
+    sdf::ParserConfig config;
+    config.SetFindCallback([](const std::string&) { return std::string(); });
+    sdf::Errors errors;
+    grammar->Root()->ClearElements();  // of the file before
+    if (!sdf::readString(text_.text, config, grammar, errors) && errors.empty()) {
+      errors.emplace_back(sdf::ErrorCode::STRING_READ, "libsdformat cannot read it");
+    }
+    const sdf::Errors more = root.Load(grammar, config);
+    errors.insert(errors.end(), more.begin(), more.end());
+    return errors;
+  }
+
   /// One sentence out of what the library says: the first error, with the line of the element that it names.
   std::string sentence(const sdf::Errors& errors) const {
     std::string message = errors.empty() ? "nothing usable in it" : errors.front().Message();
@@ -214,9 +226,16 @@ class Builder {
 
 }  // namespace
 
-FileTree build_tree(const SdfText& text, const std::filesystem::path& file, ShapeReader& shapes,
-                    std::vector<std::string>& warnings) {
-  return Builder(text, file, shapes, warnings).run();
+std::shared_ptr<sdf::SDF> make_sdf_grammar() {
+  silence_sdf_console();
+  auto grammar = std::make_shared<sdf::SDF>();
+  if (!sdf::init(grammar)) throw std::runtime_error("libsdformat cannot set up its own grammar");
+  return grammar;
+}
+
+FileTree build_tree(const SdfText& text, const std::filesystem::path& file, const std::shared_ptr<sdf::SDF>& grammar,
+                    ShapeReader& shapes, std::vector<std::string>& warnings) {
+  return Builder(text, file, shapes, warnings).run(grammar);
 }
 
 }  // namespace amiss::world
