@@ -19,7 +19,7 @@ class PathLengths {
   /// Begins at the passable cell nearest to `from` within `escape_m`; with none nothing is reachable.
   PathLengths(const DriveMap& map, const Eigen::Vector2d& from_map, double escape_m = 0.5);
 
-  [[nodiscard]] float to(const Eigen::Vector2d& p_map) const;
+  [[nodiscard]] float to(const Eigen::Vector2d& p_map) const { return to(geometry_.cell_at(p_map)); }
   [[nodiscard]] float to(Cell c) const {
     return geometry_.contains(c) ? field_.cost_m[geometry_.index(c)] : kUnreachable;
   }

@@ -35,7 +35,8 @@ Points with_points_between(const Points& points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Eigen::Vector2d way = points[i] - points[i - 1];
     const int parts = std::max(1, static_cast<int>(std::ceil(way.norm() / kSpacing_m)));
-    for (int part = 1; part <= parts; ++part) dense.emplace_back(points[i - 1] + way * part / parts);
+    for (int part = 1; part < parts; ++part) dense.emplace_back(points[i - 1] + way * part / parts);
+    dense.push_back(points[i]);
   }
   return dense;
 }
