@@ -1,0 +1,140 @@
+#include "mission/navigator.hpp"
+
+#include <algorithm>
+
+namespace amiss::mission {
+
+namespace {
+
+constexpr Duration kPeriod = std::chrono::milliseconds(20);
+constexpr double kTurnRate = 1.0;        // rad/s, on the spot
+constexpr double kTurnTolerance = 0.03;  // rad
+constexpr double kMinClearance = 0.24;   // m, below which a path is given up on the way
+constexpr double kLookAhead = 3.0;       // m of the path that is checked again
+
+}  // namespace
+
+void describe(ParamTable& table, NavigatorParams& p) {
+  table.number("navigator.refresh", p.refresh_s, "s", 0.02, 5.0, "between two updates of the drive map");
+  table.integer("navigator.attempts", p.attempts, 1, 20, "paths that are tried before a goal is given up");
+  table.number("navigator.head_tilt", p.head_tilt_rad, "deg", -60.0, 0.0, "tilt of the head while driving");
+  table.number("navigator.laser_range", p.laser_range_m, "m", 0.5, 20.0, "of laser hits that count as obstacles");
+}
+
+void describe(ParamTable& table, NavigationParams& p) {
+  describe(table, p.navigator);
+  motion::describe(table, p.drive);
+  motion::describe(table, p.planner);
+  motion::describe(table, p.follower);
+}
+
+Navigator::Navigator(Perception& perception, const FloorGrid& floor, std::vector<const FloorGrid*> static_layers,
+                     const NavigationParams& params, RandomStream random)
+    : perception_(perception),
+      static_layers_(std::move(static_layers)),
+      params_(params),
+      map_(floor, params.drive),
+      follower_(perception.model().limits, params.follower),
+      random_(random) {}
+
+void Navigator::set_floor(const FloorGrid& floor) {
+  map_.reset(floor);
+  next_refresh_ = Stamp{};
+}
+
+const motion::DriveMap& Navigator::drive_map() {
+  refresh();
+  return map_;
+}
+
+motion::PathLengths Navigator::ways_from_here() { return {drive_map(), perception_.pose().T_map_base.position()}; }
+
+void Navigator::refresh() {
+  std::vector<const FloorGrid*> layers = static_layers_;
+  layers.push_back(&perception_.obstacles().obstacles());
+  std::vector<Eigen::Vector2d> hits;
+  if (perception_.last_scan()) {
+    hits = motion::laser_hits(*perception_.last_scan(), perception_.pose().T_map_base, perception_.model().T_base_laser,
+                              params_.navigator.laser_range_m);
+  }
+  map_.update(layers, hits);
+  next_refresh_ = perception_.now() + duration_of(params_.navigator.refresh_s);
+}
+
+DriveReport Navigator::drive_to(const Pose2<Map, Base>& goal, double tolerance_m,
+                                const std::function<bool()>& pointless) {
+  DriveReport report;
+  motion::PlannerParams planner = params_.planner;
+  planner.goal_tolerance_m = tolerance_m;
+  for (int attempt = 0; attempt < params_.navigator.attempts; ++attempt) {
+    refresh();
+    const auto planned = motion::plan_path(map_, perception_.pose().T_map_base, goal, planner, random_);
+    if (!planned) {
+      report = {DriveOutcome::kFailed, std::string(motion::to_string(planned.why()))};
+      if (!stand(params_.navigator.refresh_s, {0.0, params_.navigator.head_tilt_rad}))
+        return {DriveOutcome::kEnded, ""};
+      continue;
+    }
+    report = follow(planned->path, pointless);
+    if (report.outcome != DriveOutcome::kFailed) return report;
+  }
+  return report;
+}
+
+DriveReport Navigator::follow(motion::Path path, const std::function<bool()>& pointless) {
+  follower_.start(std::move(path));
+  std::vector<Eigen::Vector2d> hits;
+  Stamp hits_stamp;
+  robot::Command command;
+  command.tilt_rad = params_.navigator.head_tilt_rad;
+  while (true) {
+    if (perception_.last_scan() && perception_.last_scan()->stamp != hits_stamp) {
+      hits = motion::laser_hits(*perception_.last_scan(), perception_.model().T_base_laser,
+                                params_.navigator.laser_range_m);
+      hits_stamp = perception_.last_scan()->stamp;
+    }
+    const motion::FollowStep next = follower_.step(perception_.pose().T_map_base, map_, hits, kPeriod);
+    command.velocity_base_m_s = next.velocity_base_m_s;
+    command.yaw_rate_rad_s = next.yaw_rate_rad_s;
+    if (!perception_.step(command)) return {DriveOutcome::kEnded, ""};
+    if (next.status == motion::FollowStatus::kArrived) return {DriveOutcome::kArrived, ""};
+    if (next.status != motion::FollowStatus::kDriving) {
+      return {DriveOutcome::kFailed, std::string(motion::to_string(next.status))};
+    }
+    if (perception_.now() < next_refresh_) continue;
+    refresh();
+    if (pointless()) return {DriveOutcome::kPointless, ""};
+    const bool blocked_ahead = motion::min_clearance_m(map_, follower_.path(), follower_.travelled_m()) < kMinClearance;
+    if (blocked_ahead && next.remaining_m > 0.0 && next.free_ahead_m < kLookAhead) {
+      return {DriveOutcome::kFailed, "blocked ahead"};
+    }
+  }
+}
+
+DriveReport Navigator::turn(double angle_rad) {
+  robot::Command command;
+  command.tilt_rad = params_.navigator.head_tilt_rad;
+  double left = angle_rad;
+  double yaw = perception_.pose().T_map_base.yaw_rad;
+  while (std::abs(left) > kTurnTolerance) {
+    command.yaw_rate_rad_s = std::clamp(left * 2.0, -kTurnRate, kTurnRate);
+    if (!perception_.step(command)) return {DriveOutcome::kEnded, ""};
+    const double now = perception_.pose().T_map_base.yaw_rad;
+    left -= wrap_angle(now - yaw);
+    yaw = now;
+  }
+  return {DriveOutcome::kArrived, ""};
+}
+
+bool Navigator::stand(double duration_s, const robot::HeadState& head) {
+  robot::Command command;
+  command.pan_rad = head.pan_rad;
+  command.tilt_rad = head.tilt_rad;
+  const Stamp until = perception_.now() + duration_of(duration_s);
+  while (perception_.now() < until) {
+    if (!perception_.step(command)) return false;
+  }
+  return true;
+}
+
+}  // namespace amiss::mission

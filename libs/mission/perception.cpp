@@ -1,0 +1,56 @@
+#include "mission/perception.hpp"
+
+namespace amiss::mission {
+
+void describe(ParamTable& table, PerceptionParams& p) {
+  table.number("perception.floor_clearance", p.floor_clearance_m, "m", 0.0, 0.05,
+               "z = 0 of the map above the floor, so that the floor's noise stays in the voxels under it");
+}
+
+Perception::Perception(robot::Robot& robot, std::unique_ptr<Tracker> tracker, const FloorGrid& floor,
+                       const mapping::VoxelMapParams& voxels, const PerceptionParams& params, const Sinks& sinks)
+    : robot_(robot),
+      tracker_(std::move(tracker)),
+      params_(params),
+      sinks_(sinks),
+      voxels_(voxels),
+      layer_(floor, voxels.resolution_m) {}
+
+bool Perception::step(const robot::Command& command) {
+  robot_.command(command);
+  robot::Observation seen = robot_.observe();
+  pose_ = tracker_->update(seen.odometry, seen.scan ? &*seen.scan : nullptr, robot_.model().T_base_laser);
+  head_ = seen.head;
+  bumper_ = seen.bumper;
+  if (last_odometry_) {
+    distance_m_ += (seen.odometry.T_odom_base.position() - last_odometry_->position()).norm();
+  }
+  last_odometry_ = seen.odometry.T_odom_base;
+  if (seen.scan) last_scan_ = std::move(seen.scan);
+  if (seen.frame) {
+    const Transform<Map, Camera> T_map_camera = camera_pose(*seen.frame);
+    if (pose_.converged) voxels_.insert(seen.frame->frame, T_map_camera);
+    last_frame_ = LocatedFrame{std::move(*seen.frame), T_map_camera};
+  }
+  sinks_.step({pose_, bumper_});
+  return !sinks_.stop() && !out_of_time();
+}
+
+Transform<Map, Camera> Perception::camera_pose(const robot::CapturedFrame& captured) const {
+  Transform<Map, Base> T_map_base = (tracker_->T_map_odom() * captured.T_odom_base).lift();
+  T_map_base.T.pretranslate(Eigen::Vector3d(0.0, 0.0, -params_.floor_clearance_m));
+  return T_map_base * captured.T_base_camera;
+}
+
+const mapping::ObstacleLayer& Perception::obstacles() {
+  layer_.update(voxels_);
+  return layer_;
+}
+
+void Perception::restart(std::unique_ptr<Tracker> tracker, const FloorGrid& floor) {
+  tracker_ = std::move(tracker);
+  layer_ = mapping::ObstacleLayer(floor, voxels_.resolution_m());
+  voxels_ = mapping::VoxelMap(voxels_.params());
+}
+
+}  // namespace amiss::mission

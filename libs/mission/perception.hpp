@@ -1,0 +1,75 @@
+// What the robot knows of its surroundings, one control period after the other: observe -> localize -> insert.
+// Commands -> pose in the map frame, voxel map, obstacles, floor seen. All decisions of a mission read from here; none
+// of it knows the truth. Thesis, figure 4.2.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "mapping/obstacle_layer.hpp"
+#include "mapping/voxel_map.hpp"
+#include "mission/sinks.hpp"
+#include "mission/tracker.hpp"
+#include "robot/model.hpp"
+#include "robot/robot.hpp"
+
+namespace amiss::mission {
+
+struct PerceptionParams {
+  double floor_clearance_m = 0.012;  // z = 0 of the map above the floor: its noise stays in the voxels under it
+  double time_limit_s = 3600.0;      // simulated; the mission ends there
+};
+void describe(ParamTable& table, PerceptionParams& p);
+
+/// A frame with the pose that the robot believes it was taken at.
+struct LocatedFrame {
+  robot::CapturedFrame captured;
+  Transform<Map, Camera> T_map_camera;
+};
+
+class Perception {
+ public:
+  /// `floor` tells the area that the obstacle layer covers.
+  Perception(robot::Robot& robot, std::unique_ptr<Tracker> tracker, const FloorGrid& floor,
+             const mapping::VoxelMapParams& voxels, const PerceptionParams& params, const Sinks& sinks);
+
+  /// One control period under this command. False: the mission has to end (stopped or out of time).
+  bool step(const robot::Command& command);
+
+  [[nodiscard]] const PoseEstimate& pose() const { return pose_; }
+  [[nodiscard]] const robot::HeadState& head() const { return head_; }
+  [[nodiscard]] bool bumper() const { return bumper_; }
+  [[nodiscard]] const robot::Model& model() const { return robot_.model(); }
+  [[nodiscard]] const mapping::VoxelMap& voxels() const { return voxels_; }
+  /// Obstacles and floor seen so far, brought up to date by this call.
+  const mapping::ObstacleLayer& obstacles();
+  [[nodiscard]] const std::optional<LocatedFrame>& last_frame() const { return last_frame_; }
+  /// Where the beams of the last scan ended, in the base frame of that scan, and the scan itself.
+  [[nodiscard]] const std::optional<LaserScan>& last_scan() const { return last_scan_; }
+  [[nodiscard]] Stamp now() const { return pose_.stamp; }
+  [[nodiscard]] bool out_of_time() const { return seconds(now()) >= params_.time_limit_s; }
+  [[nodiscard]] double distance_m() const { return distance_m_; }
+  [[nodiscard]] const Sinks& sinks() const { return sinks_; }
+
+  /// From now on another tracker and another area, a fresh voxel map (second half of the mapping run).
+  void restart(std::unique_ptr<Tracker> tracker, const FloorGrid& floor);
+
+ private:
+  [[nodiscard]] Transform<Map, Camera> camera_pose(const robot::CapturedFrame& captured) const;
+
+  robot::Robot& robot_;
+  std::unique_ptr<Tracker> tracker_;
+  PerceptionParams params_;
+  const Sinks& sinks_;
+  mapping::VoxelMap voxels_;
+  mapping::ObstacleLayer layer_;
+  PoseEstimate pose_;
+  robot::HeadState head_;
+  std::optional<Pose2<Odom, Base>> last_odometry_;
+  double distance_m_ = 0.0;
+  bool bumper_ = false;
+  std::optional<LocatedFrame> last_frame_;
+  std::optional<LaserScan> last_scan_;
+};
+
+}  // namespace amiss::mission
