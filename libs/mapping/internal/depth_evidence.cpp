@@ -22,6 +22,8 @@ struct Lattice {
 
 /// Bit 8 y + x of layer z: the ray through the voxel's centre reaches beyond it.
 AMISS_WIDE void missed_voxels(Image image, const Lattice& l, std::uint64_t* missed) {
+  constexpr float kBeyond = 3.0e38f;
+  const auto width = static_cast<float>(image.width), height = static_cast<float>(image.height);
   for (int z = 0; z < kBlockEdge; ++z) {
     std::uint64_t word = 0;
     for (int y = 0; y < kBlockEdge; ++y) {
@@ -34,16 +36,16 @@ AMISS_WIDE void missed_voxels(Image image, const Lattice& l, std::uint64_t* miss
       for (int x = 0; x < kBlockEdge; ++x) {
         const auto f = static_cast<float>(x);
         const float d = pz + f * l.a[2];
-        const bool before = d >= kNearM;
-        const float inverse = 1.0f / (before ? d : 1.0f);
+        const float inverse = 1.0f / std::max(d, kNearM);
         const float u = (px + f * l.a[0]) * inverse * image.fx + (image.cx + 0.5f);
         const float v = (py + f * l.a[1]) * inverse * image.fy + (image.cy + 0.5f);
-        const bool inside = before & (u >= 0.0f) & (v >= 0.0f) & (u < static_cast<float>(image.width)) &
-                            (v < static_cast<float>(image.height));
-        const auto column = static_cast<std::int32_t>(inside ? u : 0.0f);
-        const auto row = static_cast<std::int32_t>(inside ? v : 0.0f);
+        const auto yes = [](bool b) { return static_cast<std::int32_t>(b); };
+        const std::int32_t inside =
+            yes(d >= kNearM) & yes(u >= 0.0f) & yes(v >= 0.0f) & yes(u < width) & yes(v < height);
+        const auto column = static_cast<std::int32_t>(std::min(std::max(u, 0.0f), width - 1.0f));
+        const auto row = static_cast<std::int32_t>(std::min(std::max(v, 0.0f), height - 1.0f));
         pixel[x] = row * image.width + column;
-        depth[x] = inside ? d : 3.0e38f;
+        depth[x] = inside != 0 ? d : kBeyond;
       }
       std::uint64_t bits = 0;
       for (int x = 0; x < kBlockEdge; ++x) {

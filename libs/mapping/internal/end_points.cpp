@@ -20,15 +20,15 @@ struct RowGeometry {
 AMISS_WIDE void voxels_of_row(const float* depth, std::size_t n, RowGeometry g, std::int32_t* out) {
   for (std::size_t i = 0; i < n; ++i) {
     const float d = depth[i];
-    const bool good = d >= g.min_depth && d <= g.max_depth;
-    const float used = good ? d : 0.0f;
+    const std::int32_t good = static_cast<std::int32_t>(d >= g.min_depth) & static_cast<std::int32_t>(d <= g.max_depth);
+    const float used = good != 0 ? d : 0.0f;
     const auto u = static_cast<float>(static_cast<std::int32_t>(i));
     const auto x = static_cast<std::int32_t>(used * (u * g.along[0] + g.across[0]) + g.origin[0]);
     const auto y = static_cast<std::int32_t>(used * (u * g.along[1] + g.across[1]) + g.origin[1]);
     const auto z = static_cast<std::int32_t>(used * (u * g.along[2] + g.across[2]) + g.origin[2]);
     const std::int32_t block = ((z >> 3) * g.ny + (y >> 3)) * g.nx + (x >> 3);
     const std::int32_t voxel = block * kBlockVoxels + ((z & 7) << 6) + ((y & 7) << 3) + (x & 7);
-    out[i] = good ? voxel : -1;
+    out[i] = voxel | (good - 1);
   }
 }
 
