@@ -17,7 +17,8 @@ void describe(ParamTable& table, Params& p) {
   table.number("segment.gap", p.gap_m, "m", 0.0, 0.2, "pieces that are nearer belong together");
   table.integer("segment.min_points", p.min_points, 1, 100000, "points of a segment");
   table.number("segment.max_range", p.max_range_m, "m", 0.5, 10.0, "depth that is used");
-  table.number("segment.max_height", p.max_height_m, "m", 0.1, 3.0, "height that is used in a whole frame");
+  table.number("segment.max_base", p.max_base_m, "m", 0.01, 1.0, "height at which a segment begins");
+  table.number("segment.max_height", p.max_height_m, "m", 0.1, 3.0, "height of a segment");
   table.number("segment.max_size", p.max_size_m, "m", 0.05, 5.0, "horizontal extent of a segment");
 }
 

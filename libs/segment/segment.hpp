@@ -26,8 +26,9 @@ struct Params {
   double gap_m = 0.02;                  // pieces that are nearer belong together
   int min_points = 25;                  // of a segment
   double max_range_m = 3.5;             // of depth that is used
-  double max_height_m = 1.5;            // of points above the ground, when the whole frame is segmented
-  double max_size_m = 0.8;              // horizontal extent of a segment that may be an object
+  double max_base_m = 0.10;             // height above the ground at which a segment begins
+  double max_height_m = 0.55;           // of a segment above the ground
+  double max_size_m = 0.8;              // horizontal extent of a segment
 };
 void describe(ParamTable& table, Params& p);
 
