@@ -23,7 +23,7 @@ octomap::OcTree octree_of(const VoxelMap& map) {
   tree.setClampingThresMax(probability(map.params().clamp_high));
   map.for_each_known([&](Voxel v, Occupancy) {
     const auto key = [](int i) { return static_cast<octomap::key_type>(i + kVoxelLimit); };
-    tree.setNodeValue({key(v.x), key(v.y), key(v.z)}, static_cast<float>(map.log_odds(v)), true);
+    tree.setNodeValue(octomap::OcTreeKey(key(v.x), key(v.y), key(v.z)), static_cast<float>(map.log_odds(v)), true);
   });
   tree.updateInnerOccupancy();
   tree.prune();

@@ -66,7 +66,8 @@ void describe(ParamTable& table, VoxelMapParams& p) {
 
 std::int16_t log_odds_steps(double log_odds) {
   const double limit = 15.0;
-  return static_cast<std::int16_t>(std::lround(std::clamp(log_odds, -limit, limit) * kStepsPerUnit));
+  const auto steps = std::lround(std::clamp(log_odds, -limit, limit) * kStepsPerUnit);
+  return static_cast<std::int16_t>(steps == 0 && log_odds < 0.0 ? -1 : steps);  // never rounded to occupied
 }
 
 std::optional<std::vector<VoxelMap::Store::Changed>> VoxelMap::Store::insert_rays(const Cloud<Map>&,
