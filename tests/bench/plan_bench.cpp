@@ -1,4 +1,5 @@
-// Prints length and time of the planner on every problem of a reference file: plan_bench FOLDER/reference.json
+// Prints length and time of the planner on every problem of a reference file: plan_bench FOLDER/reference.json [PART OF
+// A DOMAIN'S NAME]
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -21,7 +22,9 @@ void print_row(const std::filesystem::path& folder, const nlohmann::json& entry)
   const auto answer = amiss::plan::solve(domain, problem);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const auto& counts = answer ? answer->counts : answer.why().counts;
-  const std::string length = answer ? std::to_string(answer->plan.steps.size()) : std::string("none");
+  const bool is_unsolvable = !answer && answer.why().reason == amiss::plan::NoPlan::Reason::kUnsolvable;
+  const std::string length =
+      answer ? std::to_string(answer->plan.steps.size()) : std::string(is_unsolvable ? "none" : "limit");
   const bool is_valid = answer && validate(domain, problem, answer->plan);
   std::printf("%-26s %-26s %7s %7s %6s %6zu %6zu %7zu %5s %6s %8.3f\n", folder.filename().c_str(),
               entry.at("problem").get<std::string>().c_str(), entry.at("optimal_length").dump().c_str(),
@@ -33,8 +36,8 @@ void print_row(const std::filesystem::path& folder, const nlohmann::json& entry)
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: plan_bench FOLDER/reference.json\n");
+  if (argc != 2 && argc != 3) {
+    std::fprintf(stderr, "usage: plan_bench FOLDER/reference.json [PART OF A DOMAIN'S NAME]\n");
     return 2;
   }
   try {
@@ -43,6 +46,7 @@ int main(int argc, char** argv) {
                 "first", "ops", "states", "by", "plan", "seconds");
     for (const auto& entry : nlohmann::json::parse(amiss::load_bytes(file))) {
       const std::string name = entry.at("domain_dir");
+      if (argc == 3 && name.find(argv[2]) == std::string::npos) continue;
       const auto beside = file.parent_path() / name;
       print_row(std::filesystem::exists(beside) ? beside : file.parent_path() / "dev" / name, entry);
     }

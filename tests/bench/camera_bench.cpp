@@ -1,0 +1,107 @@
+// How fast the camera is: camera_bench [ROUNDS]. A furnished room of about 50 000 triangles made here, 640x480, one
+// thread; prints triangles, pictures a second with and without culling, and milliseconds of the noise model.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include "sim/depth_noise.hpp"
+#include "sim/renderer.hpp"
+
+namespace {
+
+using namespace amiss;
+
+world::Body body_of(std::string name, world::Geometry geometry, const Eigen::Vector3d& at,
+                    const Eigen::Vector3f& colour) {
+  world::Body body;
+  body.name = std::move(name);
+  body.pose.T.translation() = at;
+  world::Shape shape;
+  shape.geometry = std::move(geometry);
+  shape.material.diffuse = colour;
+  body.visuals.push_back(std::move(shape));
+  return body;
+}
+
+std::shared_ptr<const world::Texture> boards() {
+  auto texture = std::make_shared<world::Texture>();
+  texture->width = texture->height = 256;
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const auto shade = static_cast<std::uint8_t>(150 + (x * 7 + (y / 32) * 53) % 60);
+      texture->pixels.push_back(
+          {shade, static_cast<std::uint8_t>(shade * 3 / 4), static_cast<std::uint8_t>(shade / 2)});
+    }
+  return texture;
+}
+
+world::World furnished_room() {
+  world::World room;
+  room.bodies.push_back(body_of("floor", world::Box{{10, 8, 0.1}}, {0, 0, -0.05}, {1, 1, 1}));
+  room.bodies.back().visuals[0].material.texture = boards();
+  for (const double side : {-1.0, 1.0}) {
+    room.bodies.push_back(body_of("wall", world::Box{{10, 0.1, 2.5}}, {0, 4.05 * side, 1.25}, {0.9F, 0.88F, 0.8F}));
+    room.bodies.push_back(body_of("wall", world::Box{{0.1, 8, 2.5}}, {5.05 * side, 0, 1.25}, {0.85F, 0.9F, 0.88F}));
+  }
+  RandomStream random(1, "bench");
+  for (int i = 0; i < 150; ++i) {
+    const Eigen::Vector3d at(random.uniform(-4.8, 4.8), random.uniform(-3.8, 3.8), random.uniform(0.1, 1.5));
+    const Eigen::Vector3f colour = Eigen::Vector3d(random.uniform(), random.uniform(), random.uniform()).cast<float>();
+    room.bodies.push_back(body_of("ball", world::Sphere{random.uniform(0.03, 0.1)}, at, colour));
+    room.bodies.push_back(
+        body_of("can", world::Cylinder{random.uniform(0.02, 0.1), 0.3}, -at + Eigen::Vector3d(0, 0, 1.6), colour));
+    world::Body table = body_of("table", world::Box{{0.5, 0.3, 0.03}}, {at.y() * 1.2, at.x() * 0.8, 0.4}, colour);
+    for (int leg = 0; leg < 4; ++leg) {
+      world::Shape shape = table.visuals[0];
+      shape.geometry = world::Cylinder{0.02, 0.4};
+      shape.T_body_shape.translation() = Eigen::Vector3d(leg % 2 ? 0.2 : -0.2, leg / 2 ? 0.12 : -0.12, -0.2);
+      table.visuals.push_back(shape);
+    }
+    room.bodies.push_back(table);
+  }
+  for (world::Body& body : room.bodies)
+    if (body.name == "ball") body.visuals[0].geometry = world::Sphere{0.1};
+  return room;
+}
+
+Transform<World, Camera> view(int i) {
+  const double angle = 0.1 * i;
+  const Eigen::Vector3d eye(2.0 * std::cos(angle * 0.3), 1.5 * std::sin(angle * 0.3), 0.97);
+  const Eigen::Vector3d ahead(std::cos(angle), std::sin(angle), -0.5);
+  return sim::look_at({eye}, {eye + ahead});
+}
+
+template <class Work>
+double ms_each(int rounds, Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < rounds; ++i) work(i);
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / rounds;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int rounds = argc > 1 ? std::atoi(argv[1]) : 300;
+  const world::World room = furnished_room();
+  const auto poses = sim::start_poses(room);
+  sim::Renderer renderer(room);
+  const CameraIntrinsics intrinsics;
+  const double culled = ms_each(rounds, [&](int i) { (void)renderer.render(view(i), intrinsics, poses); });
+  const double whole =
+      ms_each(rounds, [&](int i) { (void)renderer.render(view(i), intrinsics, poses, {.cull = false}); });
+  std::printf("render %.2f ms (%.0f fps), without culling %.2f ms\n", culled, 1000.0 / culled, whole);
+
+  const sim::DepthNoise noise({}, intrinsics);
+  RandomStream random(1, "noise");
+  const sim::RenderedFrame frame = renderer.render(view(0), intrinsics, poses);
+  const double copied = ms_each(rounds, [&](int) {
+    auto copy = frame;
+    (void)copy;
+  });
+  const double noised = ms_each(rounds, [&](int) {
+    auto copy = frame;
+    (void)noise.apply(std::move(copy), {}, random);
+  });
+  std::printf("noise %.2f ms\n", noised - copied);
+  return 0;
+}
