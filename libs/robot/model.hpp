@@ -1,5 +1,5 @@
-// The robot as its URDF describes it: joints with limits, links with collision and visual shapes, where the sensors sit.
-// URDF file -> Model; poses in the base frame, metres and radians. InputError names file and element.
+// The robot as its URDF describes it: joints with limits, links with collision and visual shapes, where the sensors
+// sit. URDF file -> Model; poses in the base frame, metres and radians. InputError names file and element.
 #pragma once
 
 #include <filesystem>
@@ -40,7 +40,7 @@ struct Joint {
 };
 
 struct Limits {
-  double speed_m_s = 0.3;             // navigation
+  double speed_m_s = 0.3;  // navigation
   double acceleration_m_s2 = 0.3;
   double yaw_rate_rad_s = 1.5;
   double yaw_acceleration_rad_s2 = 2.0;
@@ -52,14 +52,19 @@ struct Limits {
 class Model {
  public:
   std::string name;
-  std::vector<Link> links;    // links[0] is the base
+  std::vector<Link> links;    // links[0] is the root of the tree
   std::vector<Joint> joints;  // parents before children
   Limits limits;
-  double body_radius_m = 0.23;        // of the base with bumpers
+  double body_radius_m = 0.23;  // of the base with bumpers
   double navigation_radius_m = 0.30;
   double height_m = 1.1;
   Transform<Base, Laser> T_base_laser;
   CameraIntrinsics camera;
+  std::size_t base_link = 0;                                        // index of the link whose frame is the base frame
+  std::size_t camera_link = 0;                                      // index of the link that carries the RGB-D camera
+  Eigen::Isometry3d T_link_camera = Eigen::Isometry3d::Identity();  // optical frame in that link
+  std::string pan_joint = "head_pan_joint", tilt_joint = "head_tilt_joint";
+  std::vector<std::string> warnings;  // what the file names and is not there, each names file and element
 
   /// Poses of all links in the base frame for joint positions by name (missing ones: 0, clamped to the limits).
   [[nodiscard]] std::vector<Eigen::Isometry3d> link_poses(const std::map<std::string, double>& positions) const;
@@ -68,7 +73,8 @@ class Model {
 };
 
 /// Reads a URDF file (not xacro). Understands package:// relative to the file's ancestors, mimic joints without a
-/// multiplier, continuous joints with limits, and skips what it does not know.
+/// multiplier, continuous joints with limits (they turn freely), and skips what it does not know. Needs the joints of
+/// the head, a frame of the RGB-D camera and one of the laser (InputError naming what is missing).
 [[nodiscard]] Model load_model(const std::filesystem::path& urdf);
 
 }  // namespace amiss::robot

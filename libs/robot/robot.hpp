@@ -14,7 +14,7 @@ class Model;  // kinematics and limits, robot/model.hpp
 struct Command {
   Eigen::Vector2d velocity_base_m_s = Eigen::Vector2d::Zero();
   double yaw_rate_rad_s = 0.0;
-  double pan_rad = 0.0;   // targets of the head, reached at its own speed
+  double pan_rad = 0.0;  // targets of the head, reached at its own speed
   double tilt_rad = 0.0;
 };
 

@@ -27,7 +27,7 @@ struct Material {
 };
 
 /// Triangles with one material; normals and (if textured) uvs, colours (if any) are as long as the vertices.
-/// Texture coordinate (0, 0) is the top left corner of the texture, (1, 1) the bottom right one; they repeat outside.
+/// Texture coordinate (0, 0) is the lower left corner of the picture, (1, 1) the upper right one; it repeats outside.
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<Eigen::Vector3f> normals;

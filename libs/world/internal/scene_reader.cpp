@@ -102,7 +102,7 @@ class SceneReader {
       const aiVector3D uv = source.HasTextureCoords(0) ? source.mTextureCoords[0][i] : aiVector3D(0.0F);
       mesh.vertices.emplace_back(p.x, p.y, p.z);
       mesh.normals.push_back(Eigen::Vector3f(n.x, n.y, n.z).stableNormalized());
-      mesh.uvs.emplace_back(uv.x, 1.0F - uv.y);  // files count from the bottom, textures here from the top
+      mesh.uvs.emplace_back(uv.x, uv.y);
       mesh.colours.push_back(source.HasVertexColors(0) ? rgb_of(source.mColors[0][i]) : Rgb{255, 255, 255});
     }
   }
