@@ -77,12 +77,20 @@ void take_laser(Model& model, const std::filesystem::path& urdf) {
   model.T_base_laser.T = model.link_poses({})[laser];
 }
 
+/// The posture in which the HSR drives: hand across in front of the torso, within the circle of its base.
+void take_neutral(Model& model) {
+  for (const Joint& joint : model.joints) {
+    if (joint.name == "arm_roll_joint" || joint.name == "wrist_flex_joint") model.neutral[joint.name] = -1.57;
+  }
+}
+
 }  // namespace
 
 Model load_model(const std::filesystem::path& urdf) {
   Model model = read_urdf_tree(load_urdf_text(urdf), urdf);
   model.base_link =
       pick(model.links, {"base_footprint", "base_link"}, [](const std::string&) { return false; }).value_or(0);
+  take_neutral(model);
   take_head(model, urdf);
   take_camera(model, urdf);
   take_laser(model, urdf);

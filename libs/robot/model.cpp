@@ -45,7 +45,7 @@ Eigen::Isometry3d motion_of(const Joint& joint, double position) {
 std::vector<Eigen::Isometry3d> Model::link_poses(const std::map<std::string, double>& positions) const {
   std::vector<Eigen::Isometry3d> T_root_link(links.size(), Eigen::Isometry3d::Identity());
   for (const Joint& joint : joints) {
-    const double position = joint.kind == Joint::Kind::kFixed ? 0.0 : position_of(joints, joint, positions);
+    const double position = joint.kind == Joint::Kind::kFixed ? 0.0 : position_of(*this, joint, positions);
     T_root_link[joint.child] = T_root_link[joint.parent] * joint.T_parent_joint * motion_of(joint, position);
   }
   if (base_link != 0 && base_link < links.size()) {

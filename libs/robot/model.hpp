@@ -64,9 +64,10 @@ class Model {
   std::size_t camera_link = 0;                                      // index of the link that carries the RGB-D camera
   Eigen::Isometry3d T_link_camera = Eigen::Isometry3d::Identity();  // optical frame in that link
   std::string pan_joint = "head_pan_joint", tilt_joint = "head_tilt_joint";
-  std::vector<std::string> warnings;  // what the file names and is not there, each names file and element
+  std::map<std::string, double> neutral;  // positions of joints that nobody commands, 0 for those not in it
+  std::vector<std::string> warnings;      // what the file names and is not there, each names file and element
 
-  /// Poses of all links in the base frame for joint positions by name (missing ones: 0, clamped to the limits).
+  /// Poses of all links in the base frame for joint positions by name (missing ones: neutral), clamped to the limits.
   [[nodiscard]] std::vector<Eigen::Isometry3d> link_poses(const std::map<std::string, double>& positions) const;
   /// Where the optical frame of the RGB-D camera is for a state of the head.
   [[nodiscard]] Transform<Base, Camera> T_base_camera(const HeadState& head) const;
