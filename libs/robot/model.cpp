@@ -12,15 +12,16 @@ const Joint* find_joint(const std::vector<Joint>& joints, const std::string& nam
   return found != joints.end() ? &*found : nullptr;
 }
 
-double position_of(const std::vector<Joint>& joints, const Joint& joint, const std::map<std::string, double>& positions,
+double position_of(const Model& model, const Joint& joint, const std::map<std::string, double>& positions,
                    int depth = 0) {
   double value = 0.0;
-  const Joint* followed = joint.mimic.empty() ? nullptr : find_joint(joints, joint.mimic);
-  const auto given = positions.find(joint.name);
+  const Joint* followed = joint.mimic.empty() ? nullptr : find_joint(model.joints, joint.mimic);
   if (followed != nullptr && depth < kMaxMimicDepth) {
-    value = joint.mimic_multiplier * position_of(joints, *followed, positions, depth + 1) + joint.mimic_offset;
-  } else if (given != positions.end()) {
-    value = given->second;
+    value = joint.mimic_multiplier * position_of(model, *followed, positions, depth + 1) + joint.mimic_offset;
+  } else {
+    const auto given = positions.find(joint.name), neutral = model.neutral.find(joint.name);
+    if (neutral != model.neutral.end()) value = neutral->second;
+    if (given != positions.end()) value = given->second;
   }
   return std::clamp(value, joint.lower, joint.upper);
 }
