@@ -5,28 +5,25 @@
 #include <cassert>
 #include <cmath>
 
-#include "robot/model.hpp"
-
 namespace amiss::view {
 namespace {
 
-constexpr int kRounds = 8;       // of turning the head until it looks at the point
+constexpr int kSides = 12;
 constexpr double kOwn_m = 0.10;  // round the region: what blocks there is the region itself
 constexpr double kAngleStep_rad = radians(10);
 constexpr double kRadiusStep_m = 0.10;
 constexpr double kOccludedCost_m = 1.0;  // of a view that sees nothing of the region
 
-using BasePose = Pose2<Map, Base>;
-
 /// Is the cylinder with its margin inside the image and not too near?
 bool fits(const Cylinder& region, const Head& head, const Transform<Camera, Map>& T_camera_map,
           const PoseParams& params) {
-  const double radius_m = region.radius_m + params.margin_m;
+  // The corners of a prism round the cylinder.
+  const double radius_m = (region.radius_m + params.margin_m) / std::cos(std::numbers::pi / kSides);
   const double half_m = 0.5 * region.height_m;
   const double low_m = std::max(std::min(0.0, region.middle_m.z()), region.middle_m.z() - half_m - params.margin_m);
   const double high_m = region.middle_m.z() + half_m + params.margin_m;
-  for (int i = 0; i < 12; ++i) {
-    const double angle = i * std::numbers::pi / 6.0;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2.0 * i * std::numbers::pi / kSides;
     for (const double z : {low_m, high_m}) {
       const Eigen::Vector3d p = T_camera_map.T * Eigen::Vector3d(region.middle_m.x() + radius_m * std::cos(angle),
                                                                  region.middle_m.y() + radius_m * std::sin(angle), z);
@@ -129,26 +126,6 @@ void describe(ParamTable& table, PoseParams& p) {
   table.number("exam.min_depth", p.min_depth_m, "m", 0.0, 5.0, "nothing of the region may be nearer to the camera");
   table.number("exam.travel_weight", p.travel_weight, "", 0.0, 10.0, "cost of a metre of way, in metres of deviation");
   table.number("exam.min_clear", p.min_clear_share, "", 0.0, 1.0, "share of the rays to the region that must be free");
-}
-
-Head head_of(const robot::Model& model) {
-  return {model.camera, model.limits.tilt_min_rad, model.limits.tilt_max_rad,
-          [&model](const robot::HeadState& state) { return model.T_base_camera(state); }};
-}
-
-robot::HeadState look_at(const Head& head, const BasePose& T_map_base, const Eigen::Vector3d& point_map) {
-  const Eigen::Vector3d p_base = T_map_base.lift().inverse().T * point_map;
-  // Directions of the middle of the image against the optical axis.
-  const double right = std::atan((0.5 * (head.camera.width - 1) - head.camera.cx) / head.camera.fx);
-  const double down = std::atan((0.5 * (head.camera.height - 1) - head.camera.cy) / head.camera.fy);
-  robot::HeadState state{0.0, std::clamp(-0.5, head.tilt_min_rad, head.tilt_max_rad)};
-  for (int round = 0; round < kRounds; ++round) {
-    const Eigen::Vector3d p = head.T_base_camera(state).inverse().T * p_base;
-    state.pan_rad -= std::atan2(p.x(), p.z()) - right;
-    state.tilt_rad -= std::atan2(p.y(), p.z()) - down;
-    state.tilt_rad = std::clamp(state.tilt_rad, head.tilt_min_rad, head.tilt_max_rad);
-  }
-  return state;
 }
 
 std::vector<ViewPose> view_poses(const Cylinder& region, const FloorGrid& grid, std::span<const float> travel_m,

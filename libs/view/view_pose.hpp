@@ -11,12 +11,7 @@
 
 #include "core/floor_grid.hpp"
 #include "core/params.hpp"
-#include "core/sensors.hpp"
-#include "robot/robot.hpp"
-
-namespace amiss::robot {
-struct Limits;
-}
+#include "view/head.hpp"
 
 namespace amiss::view {
 
@@ -39,14 +34,6 @@ struct Cylinder {
   double height_m = 0.0;
 };
 
-/// The camera and how the head moves it.
-struct Head {
-  CameraIntrinsics camera;
-  double tilt_min_rad = -1.57, tilt_max_rad = 0.52;
-  std::function<Transform<Base, Camera>(const robot::HeadState&)> T_base_camera;
-};
-[[nodiscard]] Head head_of(const robot::Model& model);  // the model must outlive the head
-
 struct ViewPose {
   Pose2<Map, Base> T_map_base;
   double pan_rad = 0.0;
@@ -64,9 +51,5 @@ using SightTest = std::function<bool(const Eigen::Vector3d& from_map, const Eige
 [[nodiscard]] std::vector<ViewPose> view_poses(const Cylinder& region, const FloorGrid& grid,
                                                std::span<const float> travel_m, const SightTest& clear,
                                                const Head& head, const PoseParams& params);
-
-/// Pan and tilt for the point in the middle of the image from where the base stands; the tilt is clamped to its limits.
-[[nodiscard]] robot::HeadState look_at(const Head& head, const Pose2<Map, Base>& T_map_base,
-                                       const Eigen::Vector3d& point_map);
 
 }  // namespace amiss::view

@@ -117,7 +117,8 @@ void describe(ParamTable& table, TriangleParams& p) {
   table.integer("view.samples", p.samples, 1, 1000000, "random view triangles to choose from");
   table.number("view.angle", p.angle_rad, "deg", 5.0, 170.0, "field of view (tr_angle)");
   table.number("view.height", p.height_m, "m", 0.2, 20.0, "viewing distance (tr_height)");
-  table.number("view.coverage_goal", p.coverage_goal, "", 0.0, 1.0, "part of the floor to be covered");
+  table.number("view.coverage_goal", p.coverage_goal, "", 0.0, 1.0,
+               "part of the floor not covered yet that one set of triangles covers");
   table.number("view.min_gain", p.min_gain_m2, "m2", 0.0, 100.0, "floor that a triangle must add");
   table.integer("view.max_triangles", p.max_triangles, 1, 10000, "triangles at most");
   table.number("view.drop_above", p.drop_above, "", 0.0, 1.0, "triangles with a greater part seen already are dropped");
@@ -136,10 +137,12 @@ TriangleCover cover_with_triangles(const FloorGrid& sight, std::span<const float
   }
   const double cell_m2 = sight.resolution_m() * sight.resolution_m();
   const auto all = static_cast<double>(std::count(target.begin(), target.end(), 1));
-  auto left = static_cast<double>(std::count(open.begin(), open.end(), 1));
+  const auto wanted = static_cast<double>(std::count(open.begin(), open.end(), 1));
+  double left = wanted;
   TriangleCover cover;
   LazyCover lazy(samples, open);
-  while (static_cast<int>(cover.triangles.size()) < params.max_triangles && all - left < params.coverage_goal * all) {
+  while (static_cast<int>(cover.triangles.size()) < params.max_triangles &&
+         wanted - left < params.coverage_goal * wanted) {
     const Candidate best = lazy.best(cover.triangles.size() + 1);
     const double gain_m2 = static_cast<double>(best.gain) * cell_m2;
     if (best.gain == 0 || gain_m2 < params.min_gain_m2) break;

@@ -17,9 +17,9 @@ struct TriangleParams {
   int samples = 1000;
   double angle_rad = radians(58);
   double height_m = 2.0;
-  double coverage_goal = 0.95;
-  double min_gain_m2 = 0.4;
-  int max_triangles = 20;
+  double coverage_goal = 0.55;  // of what is open; about 20 triangles for 90 m2 and 10 for 30 m2
+  double min_gain_m2 = 0.3;
+  int max_triangles = 100;
   double drop_above = 0.90;
 };
 void describe(ParamTable& table, TriangleParams& params);
@@ -41,7 +41,8 @@ struct TriangleCover {
 
 /// `sight`: free cells are floor that can be seen, all others stop sight. `travel_m`: row-major as `sight`, way from
 /// the robot to a cell, infinite where its centre cannot be. `covered`: floor that needs no look, cells other than
-/// unknown count (any geometry; an empty grid for nothing).
+/// unknown count (any geometry; an empty grid for nothing). Asked again with what was seen meanwhile it gives the next
+/// set, and none when no triangle adds enough.
 [[nodiscard]] TriangleCover cover_with_triangles(const FloorGrid& sight, std::span<const float> travel_m,
                                                  const FloorGrid& covered, const TriangleParams& params,
                                                  RandomStream& random);
