@@ -49,9 +49,8 @@ Answer solve(const Domain& domain, const Problem& problem, const Limits& limits)
       return none(NoPlan::Reason::kUnsolvable, unsolvable + "its goal is out of reach of all actions");
     }
     const StateSpace space(task);
-    RelaxedPlanHeuristic heuristic(space, problem.minimize_cost);
+    RelaxedPlanHeuristic heuristic(space, problem.minimize_cost, counts.evaluated_states);
     std::optional<OperatorSequence> plan = search(space, heuristic, limits, counts);
-    counts.evaluated_states = heuristic.evaluations();
     if (!plan) return none(NoPlan::Reason::kUnsolvable, unsolvable + "no state that can be reached meets its goal");
     counts.first_length = plan->size();
     return Solution{to_plan(domain, problem, task, improve(space, std::move(*plan), limits.improvement_states)),

@@ -1,27 +1,31 @@
-; The search of a flat (thesis 4.2.3): view triangles are explored, regions of interest examined from a viewpoint.
-; Costs are path lengths in centimetres.
+; What the robot can do while it searches the floor for what was not there before (thesis 4.2.3).
+; Waypoints are poses to look from: one for each view triangle, some round each region of interest.
 (define (domain search)
   (:requirements :strips :typing :action-costs)
-  (:types robot waypoint region)
+  (:types robot waypoint triangle region)
   (:predicates
-    (robot_at ?r - robot ?wp - waypoint)
-    (connected ?from ?to - waypoint)
-    (view_triangle ?wp - waypoint)
-    (viewpoint ?wp - waypoint ?x - region)
-    (explored ?wp - waypoint)
-    (examined ?x - region))
+    (robot_at ?robot - robot ?wp - waypoint)
+    (connected ?from ?to - waypoint)             ; the robot can drive from one to the other
+    (views ?wp - waypoint ?triangle - triangle)  ; from here this part of the floor is seen
+    (viewpoint ?wp - waypoint ?region - region)  ; from here this region can be segmented
+    (explored ?triangle - triangle)
+    (examined ?region - region))
   (:functions
-    (way ?from ?to - waypoint)
-    (total-cost))
+    (total-cost) - number
+    (distance ?from ?to - waypoint) - number)    ; length of the path in centimetres
+
   (:action goto_waypoint
-    :parameters (?r - robot ?from ?to - waypoint)
-    :precondition (and (robot_at ?r ?from) (connected ?from ?to))
-    :effect (and (not (robot_at ?r ?from)) (robot_at ?r ?to) (increase (total-cost) (way ?from ?to))))
+    :parameters (?robot - robot ?from ?to - waypoint)
+    :precondition (and (robot_at ?robot ?from) (connected ?from ?to))
+    :effect (and (not (robot_at ?robot ?from)) (robot_at ?robot ?to)
+                 (increase (total-cost) (distance ?from ?to))))
+
   (:action explore_waypoint
-    :parameters (?r - robot ?wp - waypoint)
-    :precondition (and (robot_at ?r ?wp) (view_triangle ?wp))
-    :effect (explored ?wp))
+    :parameters (?robot - robot ?wp - waypoint ?triangle - triangle)
+    :precondition (and (robot_at ?robot ?wp) (views ?wp ?triangle))
+    :effect (explored ?triangle))
+
   (:action examine_region
-    :parameters (?r - robot ?wp - waypoint ?x - region)
-    :precondition (and (robot_at ?r ?wp) (viewpoint ?wp ?x))
-    :effect (examined ?x)))
+    :parameters (?robot - robot ?wp - waypoint ?region - region)
+    :precondition (and (robot_at ?robot ?wp) (viewpoint ?wp ?region))
+    :effect (examined ?region)))

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace amiss::plan {
 namespace {
@@ -16,33 +15,63 @@ void sort_unique(std::vector<int>& numbers) {
 
 }  // namespace
 
-RelaxedPlanHeuristic::RelaxedPlanHeuristic(const StateSpace& space, bool minimize_cost)
-    : space_(space), needed_by_(space.task().fact_count), added_by_(space.task().fact_count) {
+RelaxedPlanHeuristic::RelaxedPlanHeuristic(const StateSpace& space, bool minimize_cost, std::size_t& evaluations)
+    : space_(space),
+      added_by_(space.task().fact_count),
+      is_goal_(space.task().fact_count, false),
+      fact_cost_(space.task().fact_count),
+      supporter_(space.task().fact_count),
+      seen_(space.task().fact_count),
+      evaluations_(evaluations) {
   const std::vector<Operator>& operators = space.task().operators;
   for (std::size_t number = 0; number < operators.size(); ++number) {
     operator_cost_.push_back(minimize_cost ? 1 + std::llround(operators[number].cost) : 1);
     for (const GroundEffect& effect : operators[number].effects) add_relaxed(static_cast<int>(number), effect);
   }
-  fact_cost_.resize(space.task().fact_count);
-  supporter_.resize(space.task().fact_count);
-  missing_.resize(relaxed_.size());
-  relaxed_cost_.resize(relaxed_.size());
+  relaxed_.push_back({0, 0, static_cast<int>(conditions_.size()), static_cast<int>(adds_.size())});
+  index_conditions();
+  for (const int fact : space.task().goal) is_goal_[index(fact)] = true;
 }
 
 void RelaxedPlanHeuristic::add_relaxed(int op, const GroundEffect& effect) {
-  Relaxed relaxed{op, operator_cost_[index(op)], 0, space_.op(op).precondition, effect.adds};
-  relaxed.conditions.insert(relaxed.conditions.end(), effect.condition.begin(), effect.condition.end());
-  sort_unique(relaxed.conditions);
-  relaxed.needs = relaxed.conditions.size();
+  const int number = static_cast<int>(relaxed_.size());
+  relaxed_.push_back({op, cost(op), static_cast<int>(conditions_.size()), static_cast<int>(adds_.size())});
+  std::vector<int> needed = space_.op(op).precondition;
+  needed.insert(needed.end(), effect.condition.begin(), effect.condition.end());
+  sort_unique(needed);
+  conditions_.insert(conditions_.end(), needed.begin(), needed.end());
+  adds_.insert(adds_.end(), effect.adds.begin(), effect.adds.end());
   for (const int fact : effect.deletes) {
     const int complement = space_.task().complement[index(fact)];
-    if (complement != kNoComplement) relaxed.adds.push_back(complement);
+    if (complement != kNoComplement) adds_.push_back(complement);
   }
-  const int number = static_cast<int>(relaxed_.size());
-  for (const int fact : relaxed.conditions) needed_by_[index(fact)].push_back(number);
-  for (const int fact : relaxed.adds) added_by_[index(fact)].push_back(number);
-  if (relaxed.needs == 0) unconditional_.push_back(number);
-  relaxed_.push_back(std::move(relaxed));
+  for (std::size_t i = index(relaxed_.back().first_add); i < adds_.size(); ++i) {
+    added_by_[index(adds_[i])].push_back(number);
+  }
+  if (needed.empty()) unconditional_.push_back(number);
+  at_first_.push_back({cost(op), static_cast<int>(needed.size())});
+}
+
+void RelaxedPlanHeuristic::index_conditions() {
+  std::vector<std::vector<int>> by_fact(space_.task().fact_count);
+  for (int number = 0; number < static_cast<int>(at_first_.size()); ++number) {
+    for (const int fact : conditions(number)) by_fact[index(fact)].push_back(number);
+  }
+  for (const std::vector<int>& numbers : by_fact) {
+    first_needed_by_.push_back(static_cast<int>(needed_by_.size()));
+    needed_by_.insert(needed_by_.end(), numbers.begin(), numbers.end());
+  }
+  first_needed_by_.push_back(static_cast<int>(needed_by_.size()));
+}
+
+std::span<const int> RelaxedPlanHeuristic::conditions(int relaxed) const {
+  const int first = relaxed_[index(relaxed)].first_condition;
+  return {conditions_.data() + first, index(relaxed_[index(relaxed) + 1].first_condition - first)};
+}
+
+std::span<const int> RelaxedPlanHeuristic::adds(int relaxed) const {
+  const int first = relaxed_[index(relaxed)].first_add;
+  return {adds_.data() + first, index(relaxed_[index(relaxed) + 1].first_add - first)};
 }
 
 std::optional<Estimate> RelaxedPlanHeuristic::estimate(const State& state) {
@@ -55,42 +84,38 @@ std::optional<Estimate> RelaxedPlanHeuristic::estimate(const State& state) {
 void RelaxedPlanHeuristic::reset(const State& state) {
   open_.clear();
   std::fill(fact_cost_.begin(), fact_cost_.end(), kUnreached);
-  for (std::size_t i = 0; i < relaxed_.size(); ++i) {
-    missing_[i] = relaxed_[i].needs;
-    relaxed_cost_[i] = relaxed_[i].base;
-  }
+  progress_ = at_first_;
   for (int fact = 0; fact < static_cast<int>(fact_cost_.size()); ++fact) {
     if (holds(state, fact)) reach(fact, 0, -1);
   }
-  for (const int relaxed : unconditional_) fire(index(relaxed));
+  for (const int relaxed : unconditional_) fire(relaxed);
 }
 
 void RelaxedPlanHeuristic::reach(int fact, SearchCost cost, int supporter) {
   if (cost >= fact_cost_[index(fact)]) return;
   fact_cost_[index(fact)] = cost;
   supporter_[index(fact)] = supporter;
-  open_.emplace_back(cost, fact);
-  std::push_heap(open_.begin(), open_.end(), std::greater<>());
+  open_.push(cost, fact);
 }
 
-void RelaxedPlanHeuristic::fire(std::size_t relaxed) {
-  const SearchCost cost = std::min(relaxed_cost_[relaxed], kLargest);
-  for (const int fact : relaxed_[relaxed].adds) reach(fact, cost, static_cast<int>(relaxed));
+void RelaxedPlanHeuristic::fire(int relaxed) {
+  const SearchCost cost = std::min(progress_[index(relaxed)].cost, kLargest);
+  for (const int fact : adds(relaxed)) reach(fact, cost, relaxed);
 }
 
 /// Dijkstra over facts until the goal's are settled; false where they cannot be reached.
 bool RelaxedPlanHeuristic::explore() {
-  const std::vector<int>& goal = space_.task().goal;
-  std::size_t goals_left = goal.size();
+  std::size_t goals_left = space_.task().goal.size();
   while (!open_.empty() && goals_left > 0) {
-    const auto [cost, fact] = open_.front();
-    std::pop_heap(open_.begin(), open_.end(), std::greater<>());
-    open_.pop_back();
+    const auto [cost, fact] = open_.pop();
     if (cost != fact_cost_[index(fact)]) continue;
-    if (std::binary_search(goal.begin(), goal.end(), fact)) --goals_left;
-    for (const int relaxed : needed_by_[index(fact)]) {
-      relaxed_cost_[index(relaxed)] = std::min(relaxed_cost_[index(relaxed)] + cost, kLargest);
-      if (--missing_[index(relaxed)] == 0) fire(index(relaxed));
+    if (is_goal_[index(fact)]) --goals_left;
+    const int last = first_needed_by_[index(fact) + 1];
+    for (int i = first_needed_by_[index(fact)]; i < last; ++i) {
+      const int relaxed = needed_by_[index(i)];
+      Progress& progress = progress_[index(relaxed)];
+      progress.cost = std::min(progress.cost + cost, kLargest);
+      if (--progress.missing == 0) fire(relaxed);
     }
   }
   return goals_left == 0;
@@ -99,24 +124,23 @@ bool RelaxedPlanHeuristic::explore() {
 Estimate RelaxedPlanHeuristic::extract(const State& state) {
   Estimate result;
   std::vector<int> open, needed_first, operators;
-  std::vector<bool> seen(fact_cost_.size(), false);
+  std::fill(seen_.begin(), seen_.end(), false);
   const auto need = [&](int fact) {
-    if (seen[index(fact)] || holds(state, fact)) return;
-    seen[index(fact)] = true;
+    if (seen_[index(fact)] || holds(state, fact)) return;
+    seen_[index(fact)] = true;
     open.push_back(fact);
   };
   for (const int fact : space_.task().goal) need(fact);
   while (!open.empty()) {
     const int fact = open.back();
     open.pop_back();
-    const Relaxed& supporter = relaxed_[index(supporter_[index(fact)])];
-    operators.push_back(supporter.op);
-    if (fact_cost_[index(fact)] == supporter.base) needed_first.push_back(fact);
-    for (const int condition : supporter.conditions) need(condition);
+    const int supporter = supporter_[index(fact)];
+    operators.push_back(relaxed_[index(supporter)].op);
+    if (fact_cost_[index(fact)] == relaxed_[index(supporter)].base) needed_first.push_back(fact);
+    for (const int condition : conditions(supporter)) need(condition);
   }
   sort_unique(operators);
   result.length = static_cast<int>(operators.size());
-  for (const int op : operators) result.cost += cost(op);
   for (const int fact : needed_first) add_helpful(fact, result.helpful);
   sort_unique(result.helpful);
   return result;
@@ -124,8 +148,10 @@ Estimate RelaxedPlanHeuristic::extract(const State& state) {
 
 void RelaxedPlanHeuristic::add_helpful(int fact, std::vector<int>& helpful) const {
   for (const int number : added_by_[index(fact)]) {
-    const Relaxed& relaxed = relaxed_[index(number)];
-    if (missing_[index(number)] == 0 && relaxed_cost_[index(number)] == relaxed.base) helpful.push_back(relaxed.op);
+    const Progress& progress = progress_[index(number)];
+    if (progress.missing == 0 && progress.cost == relaxed_[index(number)].base) {
+      helpful.push_back(relaxed_[index(number)].op);
+    }
   }
 }
 

@@ -6,13 +6,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
+#include "plan/internal/fact_queue.hpp"
 #include "plan/internal/state_space.hpp"
 
 namespace amiss::plan {
-
-/// Cost of an action as searches count it: at least 1, so that free actions are not thought to be nothing.
-using SearchCost = std::int64_t;
 
 struct Estimate {
   int length = 0;            // actions in the relaxed plan; 0 exactly where the goal holds
@@ -22,7 +21,8 @@ struct Estimate {
 
 class RelaxedPlanHeuristic {
  public:
-  RelaxedPlanHeuristic(const StateSpace& space, bool minimize_cost);
+  /// Counts in `evaluations` the states that it estimates.
+  RelaxedPlanHeuristic(const StateSpace& space, bool minimize_cost, std::size_t& evaluations);
 
   /// Absent: a dead end, the goal cannot be reached from here.
   [[nodiscard]] std::optional<Estimate> estimate(const State& state);
@@ -33,35 +33,45 @@ class RelaxedPlanHeuristic {
   static constexpr SearchCost kUnreached = INT64_MAX;
   static constexpr SearchCost kLargest = std::int64_t{1} << 50;  // sums stop growing here
 
-  /// An effect of an operator without what it deletes.
+  /// An effect of an operator without what it deletes: when all its conditions are reached, so is what it adds.
   struct Relaxed {
     int op = 0;
     SearchCost base = 0;
-    std::size_t needs = 0;
-    std::vector<int> conditions, adds;
+    int first_condition = 0, first_add = 0;  // into conditions_ and adds_, up to those of the next one
+  };
+  struct Progress {
+    SearchCost cost = 0;  // the operator's and those of the conditions reached
+    int missing = 0;      // conditions not reached yet
   };
 
   void add_relaxed(int op, const GroundEffect& effect);
+  void index_conditions();
+  [[nodiscard]] std::span<const int> conditions(int relaxed) const;
+  [[nodiscard]] std::span<const int> adds(int relaxed) const;
   void reset(const State& state);
   void reach(int fact, SearchCost cost, int supporter);
-  void fire(std::size_t relaxed);
+  void fire(int relaxed);
   [[nodiscard]] bool explore();
   [[nodiscard]] Estimate extract(const State& state);
   void add_helpful(int fact, std::vector<int>& helpful) const;
 
   const StateSpace& space_;
   std::vector<SearchCost> operator_cost_;
-  std::vector<Relaxed> relaxed_;
-  std::vector<std::vector<int>> needed_by_, added_by_;  // by fact: indices into relaxed_
+  std::vector<Relaxed> relaxed_;  // and one more behind the last
+  std::vector<int> conditions_, adds_;
+  std::vector<int> first_needed_by_, needed_by_;  // by fact: a part of needed_by_, indices into relaxed_
+  std::vector<std::vector<int>> added_by_;        // by fact: indices into relaxed_
   std::vector<int> unconditional_;
+  std::vector<Progress> at_first_;
+  std::vector<bool> is_goal_;
 
   // The exploration at work.
   std::vector<SearchCost> fact_cost_;
   std::vector<int> supporter_;  // by fact: index into relaxed_, -1 where it holds in the state
-  std::vector<std::size_t> missing_;
-  std::vector<SearchCost> relaxed_cost_;
-  std::vector<std::pair<SearchCost, int>> open_;  // heap
-  std::size_t evaluations_ = 0;
+  std::vector<Progress> progress_;
+  FactQueue open_;
+  std::vector<bool> seen_;
+  std::size_t& evaluations_;
 };
 
 }  // namespace amiss::plan

@@ -69,8 +69,8 @@ class Neighbourhood {
     return generated;
   }
 
-  /// Dijkstra from the initial state to the nearest goal state among those expanded.
-  [[nodiscard]] OperatorSequence best_plan() const {
+  /// Dijkstra from the initial state over the states expanded; absent where they do not lead to the goal.
+  [[nodiscard]] std::optional<OperatorSequence> best_plan() const {
     using Entry = std::pair<Price, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     std::vector<std::optional<Price>> prices(table_.size());
@@ -91,7 +91,7 @@ class Neighbourhood {
         open.push({through, edge.to});
       }
     }
-    return {};
+    return std::nullopt;
   }
 
  private:
@@ -125,10 +125,10 @@ OperatorSequence improve(const StateSpace& space, OperatorSequence plan, std::si
   for (std::size_t width = kFirstSteps; width <= steps;) {
     Neighbourhood neighbourhood(space, plan);
     const std::size_t generated = neighbourhood.expand(width);
-    OperatorSequence better = neighbourhood.best_plan();
+    std::optional<OperatorSequence> better = neighbourhood.best_plan();
     steps -= std::min(steps, std::max<std::size_t>(generated, 1));
-    const bool is_better = price_of(space, better) < price_of(space, plan);
-    if (is_better) plan = std::move(better);
+    const bool is_better = better && price_of(space, *better) < price_of(space, plan);
+    if (is_better) plan = std::move(*better);
     if (!is_better && generated < width) break;  // all states are known: nothing better exists
     if (!is_better) width *= 2;
   }

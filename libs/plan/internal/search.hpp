@@ -21,9 +21,9 @@ struct Origin {
 [[nodiscard]] std::optional<OperatorSequence> climb(const StateSpace& space, RelaxedPlanHeuristic& heuristic,
                                                     std::size_t max_evaluations);
 
-/// Greedy best-first search; states reached by helpful actions have a queue of their own, which is served more often
-/// while it makes progress (Richter and Helmert, ICAPS 2009). Complete: absent means that there is no plan. Throws
-/// LimitReached after max_evaluations states.
+/// Greedy best-first search by landmarks left, then by the length of the relaxed plan. States reached by helpful
+/// actions have a queue of their own, which is served more often while it makes progress (Richter and Helmert, ICAPS
+/// 2009). Complete: absent means that there is no plan. Throws LimitReached after max_evaluations states.
 [[nodiscard]] std::optional<OperatorSequence> best_first(const StateSpace& space, RelaxedPlanHeuristic& heuristic,
                                                          std::size_t max_evaluations);
 

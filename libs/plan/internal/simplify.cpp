@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "plan/internal/grounding.hpp"
+#include "plan/internal/relaxation.hpp"
 
 namespace amiss::plan {
 namespace {
@@ -9,12 +10,11 @@ class Simplifier {
  public:
   explicit Simplifier(Task task)
       : task_(std::move(task)),
-        reachable_(task_.fact_count, false),
+        reachable_(Relaxation(task_).reachable(task_.init)),
         constant_(task_.fact_count, false),
         relevant_(task_.fact_count, false) {}
 
   Task simplify() {
-    mark_reachable();
     const auto is_reachable = [this](int fact) { return has(reachable_, fact); };
     task_.goal_reachable = task_.goal_reachable && std::all_of(task_.goal.begin(), task_.goal.end(), is_reachable);
     if (!task_.goal_reachable) return unsolvable();
@@ -41,42 +41,6 @@ class Simplifier {
     Task task;
     task.goal_reachable = false;
     return task;
-  }
-
-  /// Facts reachable when nothing is deleted: each effect waits for as many facts as it needs.
-  void mark_reachable() {
-    struct Waiting {
-      const GroundEffect* effect;
-      std::size_t missing;
-    };
-    std::vector<Waiting> effects;
-    std::vector<std::vector<std::size_t>> waiting_for(task_.fact_count);
-    std::vector<int> open = task_.init;
-    for (const int fact : open) mark(reachable_, fact);
-    const auto fire = [&](const GroundEffect& effect) {
-      for (const int fact : effect.adds) {
-        if (mark(reachable_, fact)) open.push_back(fact);
-      }
-      for (const int fact : effect.deletes) {
-        if (mark(reachable_, complement(fact))) open.push_back(complement(fact));
-      }
-    };
-    for (const Operator& op : task_.operators) {
-      for (const GroundEffect& effect : op.effects) {
-        const std::size_t missing = op.precondition.size() + effect.condition.size();
-        for (const int fact : op.precondition) waiting_for[static_cast<std::size_t>(fact)].push_back(effects.size());
-        for (const int fact : effect.condition) waiting_for[static_cast<std::size_t>(fact)].push_back(effects.size());
-        effects.push_back({&effect, missing});
-        if (missing == 0) fire(effect);
-      }
-    }
-    while (!open.empty()) {
-      const int fact = open.back();
-      open.pop_back();
-      for (const std::size_t waiting : waiting_for[static_cast<std::size_t>(fact)]) {
-        if (--effects[waiting].missing == 0) fire(*effects[waiting].effect);
-      }
-    }
   }
 
   void drop_unreachable() {
