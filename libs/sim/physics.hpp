@@ -18,7 +18,7 @@ namespace amiss::sim {
 
 struct PhysicsParams {
   double step_s = 0.01;             // longest step of the solver
-  double rolling_friction = 0.004;  // [m] per unit of friction: what stops a ball
+  double rolling_friction = 0.001;  // [m] per unit of friction: what stops a ball
   double linear_damping = 0.02;     // part of the velocity lost in a second
   double angular_damping = 0.10;
 };

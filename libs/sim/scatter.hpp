@@ -12,6 +12,7 @@
 #include "core/params.hpp"
 #include "core/random.hpp"
 #include "robot/model.hpp"
+#include "sim/free_space.hpp"
 #include "world/catalogue.hpp"
 #include "world/world.hpp"
 
@@ -43,10 +44,5 @@ struct ScatteredObject {
 [[nodiscard]] std::vector<ScatteredObject> load_scatter(const std::filesystem::path& file,
                                                         const world::Catalogue& catalogue);
 void save_scatter(const std::filesystem::path& file, const std::vector<ScatteredObject>& objects);
-
-/// Where the robot stands when the world does not say: of the places that it can turn round at, in the largest
-/// connected free area, the one farthest from everything, with a small price on the distance from that area's middle;
-/// heading along x. InputError when there is no room for it anywhere.
-[[nodiscard]] Pose2<amiss::World, Base> free_start(const world::World& world, const robot::Model& model);
 
 }  // namespace amiss::sim

@@ -22,7 +22,7 @@ Duration checked_period(double period_s, const std::string& key) {
 }
 
 std::vector<Eigen::Isometry3d> link_poses(const robot::Model& model, const robot::HeadState& head) {
-  return model.link_poses({{"head_pan_joint", head.pan_rad}, {"head_tilt_joint", head.tilt_rad}});
+  return model.link_poses({{model.pan_joint, head.pan_rad}, {model.tilt_joint, head.tilt_rad}});
 }
 
 }  // namespace

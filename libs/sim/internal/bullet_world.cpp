@@ -5,7 +5,7 @@ namespace {
 
 constexpr int kStaticGroup = btBroadphaseProxy::StaticFilter;
 constexpr int kMovingGroup = btBroadphaseProxy::DefaultFilter;
-constexpr double kSleepSpeed_m_s = 0.02, kSleepRate_rad_s = 0.15;
+constexpr double kSleepSpeed_m_s = 0.05, kSleepRate_rad_s = 0.5;
 
 /// Bullet's callback for closest points, forwarded with the probe first.
 struct NearCallback : btCollisionWorld::ContactResultCallback {
