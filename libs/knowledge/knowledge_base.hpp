@@ -19,7 +19,9 @@ namespace amiss::knowledge {
 
 struct Params {
   double same_overlap = 0.85;      // part of the smaller circle that two circles of one region share
-  double noticeable_growth = 0.3;  // part by which the circle's area, height or voxels grow before it is examined again
+  double same_distance = 1.0;      // in larger radii: centres that are nearer are of one region
+  double noticeable_growth = 0.3;  // part by which the circle's area or the height grows,
+  double noticeable_m = 0.1;       // and length by which radius or height grows, before it is examined again
 };
 void describe(ParamTable& table, Params& p);
 
@@ -49,13 +51,15 @@ struct Region {
   bool examined = false;
   bool withdrawn = false;
   std::optional<Stamp> examined_at;
+  Cylinder examined_cylinder;  // as it was then
   bool operator==(const Region&) const = default;
 };
 
 enum class Change {
   kInserted,   // new
-  kGrown,      // seen larger than before; stays examined where it was
-  kReopened,   // grew noticeably after it was examined, or came back after it was withdrawn: to be examined
+  kGrown,      // larger than it was remembered; stays examined where it was
+  kReopened,   // grew noticeably since it was examined: to be examined again
+  kReturned,   // was withdrawn and is there again; to be examined unless it was
   kWithdrawn,  // looked at again and not confirmed
   kAbsorbed    // turned out to be a part of another region, and is withdrawn
 };
@@ -83,6 +87,7 @@ struct Object {
   Eigen::Vector3d centre_map = Eigen::Vector3d::Zero();
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
   int points = 0;
+  bool operator==(const Object&) const = default;
 };
 
 /// Everything known; ids are positions in the vectors plus one.
@@ -116,8 +121,8 @@ class KnowledgeBase {
   void mark_dropped(int view_id);
   int add_object(const Object& object);  // its id is not read; returns the new one
 
-  /// Writes what is still in the journal and closes the file. Later changes stay in memory. The destructor closes
-  /// too, but cannot tell when that fails; close() throws std::runtime_error.
+  /// Closes the file; later changes stay in memory. The destructor closes too. Every change throws std::runtime_error
+  /// where the file cannot be written (disk full).
   void close();
 
  private:
