@@ -1,49 +1,38 @@
-"""Writes a world: floors, walls with holes, ceiling, lights, and the furniture that it includes."""
+"""Writes a world: floors, walls with holes, ceiling, lights, and the furniture that it includes. What is seen of floors
+and walls are meshes in models/<world>_building, as not every renderer lays textures on boxes in metres."""
 import math
+import os
 
-from model import numbers
+import shapes
+from model import Model, numbers
 
 HEIGHT, DOOR = 2.5, (1.04, 2.08)        # m: rooms; hole for models/door_frame
-BARE = ("facade", "tiles_wall")          # sides without a skirting board
-SURFACES = {                            # colour or texture
-    "white": (0.95, 0.94, 0.91), "sand": (0.94, 0.88, 0.77), "sky": (0.74, 0.82, 0.86), "sage": (0.78, 0.84, 0.75),
-    "facade": (0.80, 0.77, 0.72), "teal": (0.36, 0.52, 0.54), "linen": (0.93, 0.88, 0.79), "skirting": (0.95, 0.95, 0.94),
-    "parquet": "parquet", "parquet_dark": "parquet_dark", "laminate": "laminate", "carpet": "carpet",
-    "tiles_kitchen": "tiles_kitchen", "tiles_bath": "tiles_bath", "tiles_wall": "tiles_wall", "wallpaper": "wallpaper",
-}
-
-
-def material(surface):
-    look = SURFACES[surface]
-    colour = numbers((1, 1, 1) if isinstance(look, str) else look) + " 1"
-    pbr = ""
-    if isinstance(look, str):
-        pbr = "<pbr><metal><albedo_map>textures/%s.png</albedo_map></metal></pbr>" % look
-    return "<material><ambient>%s</ambient><diffuse>%s</diffuse>%s</material>" % (colour, colour, pbr)
-
-
-def box(kind, name, size, at, surface=None):
-    return ['      <%s name="%s">' % (kind, name), "        <pose>%s 0 0 0</pose>" % numbers(at),
-            "        <geometry><box><size>%s</size></box></geometry>" % numbers(size),
-            *(["        " + material(surface)] if surface else []), "      </%s>" % kind]
+BARE = ("facade", "tiles_wall")         # sides without a skirting board
 
 
 class World:
     def __init__(self, name, about, robot_start):
         self.name, self.about, self.robot_start = name, about, robot_start
-        self.body, self.count = [], {}
-
-    def model(self, name, parts):
-        self.body += ['    <model name="%s">' % name, "      <static>true</static>", '      <link name="link">',
-                      *["  " + line for line in parts], "      </link>", "    </model>"]
+        self.folder = "models/%s_building" % name
+        self.body, self.count, self.meshes = [], {}, []
 
     def floor(self, room, x0, y0, x1, y1, surface):
-        size, at = (x1 - x0, y1 - y0, 0.1), ((x0 + x1) / 2, (y0 + y1) / 2, -0.05)
-        self.model("floor_" + room, box("visual", "visual", size, at, surface) + box("collision", "collision", size, at))
+        self._slab("floor_" + room, (x1 - x0, y1 - y0, 0.1), ((x0 + x1) / 2, (y0 + y1) / 2, -0.05), surface, True)
 
     def ceiling(self, x0, y0, x1, y1):
-        size, at = (x1 - x0, y1 - y0, 0.05), ((x0 + x1) / 2, (y0 + y1) / 2, HEIGHT + 0.025)
-        self.model("ceiling", box("visual", "visual", size, at, "white"))
+        size, at = (x1 - x0, y1 - y0, 0.05), ((x0 + x1) / 2, (y0 + y1) / 2, HEIGHT + 0.03)
+        self._slab("ceiling", size, at, "ceiling", False)
+
+    def _slab(self, name, size, at, surface, solid):
+        model = Model(name, name)
+        model.show(surface, shapes.mapped(shapes.moved(shapes.box(size), at)))
+        if solid:
+            model.solid_box(size, at)
+        self._add(model)
+
+    def _add(self, model):
+        self.meshes.append(model)
+        self.body += model.sdf_lines(self.folder + "/", "    ")
 
     def wall(self, name, start, end, thick, sides, holes=()):
         """From start to end (x, y along one axis): its middle line. sides = surface on the side of larger and smaller
@@ -55,27 +44,11 @@ class World:
             pieces += [(done, a, 0, HEIGHT), (a, b, 0, bottom), (a, b, top, HEIGHT)]
             done = b
         pieces.append((done, high, 0, HEIGHT))
-        parts = []
-        for k, (a, b, bottom, top) in enumerate(p for p in pieces if p[1] - p[0] > 1e-6 and p[3] - p[2] > 1e-6):
-            parts += self._piece(k, along, (a, b, bottom, top), start[1 - along], thick, sides)
-        self.model("wall_" + name, parts)
-
-    def _piece(self, k, along, span, middle, thick, sides):
-        a, b, bottom, top = span
-
-        def place(depth, shift, z0, z1):
-            size, at = [b - a, depth], [(a + b) / 2, middle + shift]
-            if along == 1:
-                size, at = size[::-1], at[::-1]
-            return size + [z1 - z0], at + [(z0 + z1) / 2]
-
-        parts = box("collision", "part_%d" % k, *place(thick, 0, bottom, top))
-        for side, sign in ((0, 1), (1, -1)):
-            parts += box("visual", "side_%d_%d" % (k, side), *place(thick / 2, sign * thick / 4, bottom, top), sides[side])
-            if bottom == 0 and sides[side] not in BARE:
-                parts += box("visual", "skirting_%d_%d" % (k, side), *place(0.012, sign * (thick / 2 + 0.006), 0, 0.07),
-                             "skirting")
-        return parts
+        model = Model("wall_" + name, "wall_" + name)
+        for span in pieces:
+            if span[1] - span[0] > 1e-6 and span[3] - span[2] > 1e-6:
+                _piece(model, along, span, start[1 - along], thick, sides)
+        self._add(model)
 
     def put(self, kind, x, y, degrees=0.0, z=0.0, name=None):
         """Includes models/<kind>, its front (+x) turned by that angle; names count from 1."""
@@ -96,10 +69,33 @@ class World:
                 '    <frame name="robot_start"><pose>%s</pose></frame>' % numbers((x, y, 0, 0, 0, math.radians(degrees))),
                 "    <scene><ambient>0.72 0.72 0.73 1</ambient><background>0.75 0.84 0.92 1</background>"
                 "<shadows>false</shadows></scene>",
-                *_light("sun", (-0.35, 0.45, -0.82), 0.40), *_light("fill", (0.60, -0.55, -0.30), 0.20),
-                *_light("bounce", (0, 0, 1), 0.22)]
+                *_light("sun", (-0.35, 0.45, -0.82), 0.40), *_light("bounce", (0.50, -0.45, 0.75), 0.30)]
+        for mesh in self.meshes:
+            mesh.save_mesh(os.path.join(os.path.dirname(path), self.folder))
         with open(path, "w", encoding="ascii") as out:
             out.write("\n".join(head + self.body + ["  </world>", "</sdf>"]) + "\n")
+
+
+def _piece(model, along, span, middle, thick, sides):
+    """A block of wall: two halves with the colours of their rooms, skirting boards, a dark cap for views from above."""
+    a, b, bottom, top = span
+
+    def block(depth, shift, z0, z1):
+        size, at = [b - a, depth], [(a + b) / 2, middle + shift]
+        if along == 1:
+            size, at = size[::-1], at[::-1]
+        return size + [z1 - z0], at + [(z0 + z1) / 2]
+
+    def show(surface, size, at):
+        model.show(surface, shapes.mapped(shapes.moved(shapes.box(size), at)))
+
+    model.solid_box(*block(thick, 0, bottom, top))
+    for surface, sign in zip(sides, (1, -1)):
+        show(surface, *block(thick / 2, sign * thick / 4, bottom, top))
+        if bottom == 0 and surface not in BARE:
+            show("skirting", *block(0.012, sign * (thick / 2 + 0.006), 0, 0.07))
+    if top == HEIGHT:
+        show("wall_top", *block(thick, 0, HEIGHT, HEIGHT + 0.004))
 
 
 def _light(name, direction, strength):

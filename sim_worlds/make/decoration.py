@@ -31,16 +31,16 @@ def pendant_lamp(name, about):
     model.show("black", shapes.cylinder(0.004, 0.42, 6), (0, 0, 2.29))
     model.show("black", shapes.cylinder(0.05, 0.03, 12), (0, 0, 2.485))
     dome = [(0.20, 1.85), (0.19, 1.93), (0.15, 2.01), (0.08, 2.07), (0, 2.09)]
-    model.show("navy", shapes.lathe(dome, 24, True))
-    model.show("shade", shapes.lathe([(r * 0.97, z - 0.004) for r, z in reversed(dome)], 24, True))
+    inside = [(r * 0.97, z - 0.004) for r, z in dome]
+    model.show("navy", shapes.lathe(dome + inside[::-1] + dome[:1], 24, True))
     model.show("shade", shapes.cushion((0.10, 0.10, 0.10), 12, 8, 1.0), (0, 0, 1.93))
     model.solid_cylinder(0.16, 0.22, (0, 0, 1.97))
     return model
 
 
 def _lamp_shade(model, low, high, height, z):
-    model.show("shade", shapes.lathe([(low, z), (high, z + height)], 24))
-    model.show("shade", shapes.lathe([(high - 0.004, z + height), (low - 0.004, z)], 24))
+    rim = [(low, z), (high, z + height), (high - 0.004, z + height), (low - 0.004, z), (low, z)]
+    model.show("shade", shapes.lathe(rim, 24))
     model.show("shade", shapes.cushion((0.07, 0.07, 0.09), 10, 6, 1.0), (0, 0, z + height * 0.45))
     model.solid_cylinder((low + high) / 2, height, (0, 0, z + height / 2))
 
@@ -51,8 +51,18 @@ def _leaf(length, width, droop):
         w = width * math.sin(math.pi * min(1.0, 0.04 + u * 0.96)) ** 0.7
         return (length * u, (v - 0.5) * w, -droop * u * u + 0.25 * abs(v - 0.5) * w)
 
-    front = shapes.sheet(point, 4, 2)
-    return front + shapes.flipped(shapes.moved(front, (0, 0, -0.002)))
+    return _cloth(point, 4, 2, 0.003)
+
+
+def _cloth(point, nu, nv, thick, repeat=None):
+    """A sheet with its other side, closed along the rim, `thick` in the middle."""
+    def behind(u, v):
+        x, y, z = point(u, v)
+        nx, ny, nz = shapes.normal(point, u, v)
+        depth = thick * math.sin(math.pi * u) * math.sin(math.pi * v)
+        return (x - nx * depth, y - ny * depth, z - nz * depth)
+
+    return shapes.sheet(point, nu, nv, repeat) + shapes.flipped(shapes.sheet(behind, nu, nv, repeat))
 
 
 def plant_tall(name, about):
@@ -123,9 +133,7 @@ def curtain(name, about):
         depth = 0.065 + 0.028 * math.sin(2 * math.pi * 5 * u) * (0.55 + 0.45 * (1 - v))
         return (depth, (u - 0.5) * (0.50 - 0.05 * math.sin(math.pi * v)), 0.03 + 2.29 * v)
 
-    front = shapes.sheet(point, 40, 3, (1.0, 1.0))
-    model.show("curtain", front)
-    model.show("curtain", shapes.flipped(shapes.moved(front, (-0.004, 0, 0))))
+    model.show("curtain", _cloth(point, 40, 3, 0.006, (1.0, 1.0)))
     model.solid_box((0.05, 0.46, 2.29), (0.065, 0, 1.175))
     return model
 

@@ -126,10 +126,13 @@ def bathtub(name, about):
         return (0.318 * wide * math.copysign(abs(math.cos(a)) ** 0.45, math.cos(a)),
                 0.755 * wide * math.copysign(abs(math.sin(a)) ** 0.45, math.sin(a)), 0.565 - 0.37 * min(1, 1.15 * v))
 
-    model.show("ceramic", shapes.sheet(inside, 32, 5))
-    bottom = shapes.lathe([(0.0, 0.0), (1.0, 0.0)], 24)
-    bottom = [[((p[0] * 0.26, p[1] * 0.62, 0.198), (0, 0, 1), t) for p, _, t in tri] for tri in bottom]
-    model.show("ceramic", shapes.mapped(shapes.facing(bottom)))
+    model.show("enamel", shapes.sheet(inside, 32, 5))
+
+    def bottom(u, v):
+        x, y, _ = inside(u, 1.0)
+        return (x * (1 - v), y * (1 - v), 0.195)
+
+    model.show("enamel", shapes.sheet(bottom, 32, 1))
     for sx in (1, -1):
         for sy in (1, -1):
             model.show("ceramic", shapes.box((0.10, 0.10, 0.01)), (sx * 0.28, sy * 0.715, 0.552))

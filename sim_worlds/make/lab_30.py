@@ -11,10 +11,10 @@ def build():
     world.floor("lab", -OUT, -OUT, WIDE + OUT, DEEP + OUT, "laminate")
     world.ceiling(-OUT, -OUT, WIDE + OUT, DEEP + OUT)
     s, n, w, e = -OUT / 2, DEEP + OUT / 2, -OUT / 2, WIDE + OUT / 2
-    world.wall("south", (0, s), (WIDE, s), OUT, ("white", "facade"), [window(1.6, 1.8, 1.3, 0.9), window(4.5, 1.8, 1.3, 0.9)])
-    world.wall("north", (0, n), (WIDE, n), OUT, ("facade", "white"))
-    world.wall("west", (w, -OUT), (w, DEEP + OUT), OUT, ("teal", "facade"))
-    world.wall("east", (e, -OUT), (e, DEEP + OUT), OUT, ("facade", "white"), [hole(3.4)])
+    world.wall("south", (0, s), (WIDE, s), OUT, ("wall_white", "facade"), [window(1.6, 1.8, 1.3, 0.9), window(4.5, 1.8, 1.3, 0.9)])
+    world.wall("north", (0, n), (WIDE, n), OUT, ("facade", "wall_white"))
+    world.wall("west", (w, -OUT), (w, DEEP + OUT), OUT, ("wall_teal", "facade"))
+    world.wall("east", (e, -OUT), (e, DEEP + OUT), OUT, ("facade", "wall_white"), [hole(3.4)])
     world.door(e, 3.4, 0)
     world.put("door_entrance", WIDE + 0.06, 3.4, 180)
     for x in (1.6, 4.5):

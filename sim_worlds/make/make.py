@@ -18,7 +18,8 @@ def main():
     for model in catalogue.build_all():
         model.save(os.path.join(ROOT, "models", model.name))
         extent = " x ".join("%.2f" % (high - low) for low, high in model.extent())
-        print("%-18s %5d triangles, %3d solids, %s m" % (model.name, model.triangles(), len(model.solids), extent))
+        print("%-18s %5d triangles, %3d solids, %s m, open: %s" % (
+            model.name, model.triangles(), len(model.solids), extent, " ".join(model.open_materials()) or "-"))
     for world in (flat_90.build(), lab_30.build()):
         world.save(os.path.join(ROOT, world.name + ".sdf"))
 

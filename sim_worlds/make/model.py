@@ -58,9 +58,14 @@ class Model:
         return [(min(p[i] for p in points), max(p[i] for p in points)) for i in range(3)]
 
     def save(self, folder):
+        self.save_mesh(folder)
+        for file, text in (("model.sdf", self._sdf()), ("model.config", self._config())):
+            with open(os.path.join(folder, file), "w", encoding="ascii") as out:
+                out.write(text)
+
+    def save_mesh(self, folder):
         os.makedirs(folder, exist_ok=True)
-        for file, text in ((self.name + ".obj", self._obj()), (self.name + ".mtl", self._mtl()),
-                           ("model.sdf", self._sdf()), ("model.config", self._config())):
+        for file, text in ((self.name + ".obj", self._obj()), (self.name + ".mtl", self._mtl())):
             with open(os.path.join(folder, file), "w", encoding="ascii") as out:
                 out.write(text)
 
@@ -87,21 +92,39 @@ class Model:
             lines += ["map_Kd ../../textures/%s.png" % texture] if texture else []
         return "\n".join(lines) + "\n"
 
-    def _sdf(self):
-        lines = ['<?xml version="1.0"?>', "<!-- %s. -->" % self.about, '<sdf version="1.7">',
-                 '  <model name="%s">' % self.name, "    <static>true</static>", '    <link name="link">',
-                 '      <visual name="visual">',
-                 "        <geometry><mesh><uri>%s.obj</uri></mesh></geometry>" % self.name, "      </visual>"]
+    def sdf_lines(self, folder="", indent="  "):
+        """<model> with the mesh in that folder."""
+        lines = ['<model name="%s">' % self.name, "  <static>true</static>", '  <link name="link">',
+                 '    <visual name="visual">',
+                 "      <geometry><mesh><uri>%s%s.obj</uri></mesh></geometry>" % (folder, self.name), "    </visual>"]
         for index, (kind, size, at, rpy) in enumerate(self.solids, 1):
             if kind == "box":
                 geometry = "<box><size>%s</size></box>" % numbers(size)
             else:
                 geometry = "<cylinder><radius>%s</radius><length>%s</length></cylinder>" % tuple(
                     numbers([value]) for value in size)
-            lines += ['      <collision name="part_%d">' % index,
-                      "        <pose>%s</pose>" % numbers(list(at) + list(rpy)),
-                      "        <geometry>%s</geometry>" % geometry, "      </collision>"]
-        return "\n".join(lines + ["    </link>", "  </model>", "</sdf>"]) + "\n"
+            lines += ['    <collision name="part_%d">' % index,
+                      "      <pose>%s</pose>" % numbers(list(at) + list(rpy)),
+                      "      <geometry>%s</geometry>" % geometry, "    </collision>"]
+        return [indent + line for line in lines + ["  </link>", "</model>"]]
+
+    def _sdf(self):
+        head = ['<?xml version="1.0"?>', "<!-- %s. -->" % self.about, '<sdf version="1.7">']
+        return "\n".join(head + self.sdf_lines() + ["</sdf>"]) + "\n"
+
+    def open_materials(self):
+        """Those whose surface has an edge with a triangle on one side only: they cannot be culled."""
+        result = []
+        for material, shape in self.seen.items():
+            edges = {}
+            for triangle in shape:
+                keys = [numbers(p) for p, _, _ in triangle]
+                for a, b in zip(keys, keys[1:] + keys[:1]):
+                    if a != b:
+                        edges[a, b] = edges.get((a, b), 0) + 1
+            if any(edges.get((b, a), 0) != count for (a, b), count in edges.items()):
+                result.append(material)
+        return sorted(result)
 
     def _config(self):
         return ('<?xml version="1.0"?>\n<model>\n  <name>%s</name>\n  <version>1.0</version>\n'

@@ -66,6 +66,8 @@ def _curved_rail(model, wood, x, z, height):
     for v, turn in ((1, 1), (0, -1)):
         rim = shapes.sheet(lambda a, b: point(a, v, 0.010 - 0.020 * b), 8, 1)
         model.show(wood, rim if turn == 1 else shapes.flipped(rim))
+        end = shapes.sheet(lambda a, b: point(v, a, 0.010 - 0.020 * b), 1, 1)
+        model.show(wood, shapes.flipped(end) if turn == 1 else end)
     for side in (1, -1):
         model.solid_box((0.024, 0.125, height), (x - 0.012, side * 0.123, z), (0, 0, side * 0.19))
     model.solid_box((0.024, 0.125, height), (x - 0.033, 0, z))
@@ -146,7 +148,7 @@ def _duvet():
         return (x, math.copysign(0.80 + 0.055 * math.sin(bend * math.pi / 2), s),
                 0.512 - 0.055 * (1 - math.cos(bend * math.pi / 2)) - drop * 0.95 + 0.006 * math.sin(14 * x))
 
-    top = shapes.sheet(point, 20, 28)
+    top = shapes.sheet(point, 16, 24)
     end = shapes.sheet(lambda u, v: (1.02 + 0.03 * math.sin(u * math.pi), (v - 0.5) * 1.64, 0.515 - 0.20 * u), 4, 12)
     head = shapes.sheet(lambda u, v: (-0.40, (v - 0.5) * 1.64, 0.44 + 0.075 * u), 1, 8)
     return top + end + head

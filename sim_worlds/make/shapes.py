@@ -123,7 +123,11 @@ def _bevels(corner, normal):
 
 def lathe(profile, segments=16, smooth=False):
     """Turns (radius, z) points about z. The profile runs with the outside on its right: upwards outside,
-    downwards inside; smooth=True rounds the bends of the profile."""
+    downwards inside; smooth=True rounds the bends of the profile. An end off the axis is closed by a disc, unless the
+    profile comes back to where it began."""
+    if profile[0] != profile[-1]:
+        first, last = profile[0], profile[-1]
+        profile = ([(0, first[1])] if first[0] > 0 else []) + profile + ([(0, last[1])] if last[0] > 0 else [])
     slopes = []
     for (r0, z0), (r1, z1) in zip(profile, profile[1:]):
         slopes.append(unit((z1 - z0, 0.0, r0 - r1)))
@@ -177,16 +181,17 @@ def _grid(vertex, nu, nv):
     return shape
 
 
+def normal(point, u, v):
+    """Of the surface point(u, v)."""
+    d = 1e-4
+    return unit(cross(sub(point(u + d, v), point(u - d, v)), sub(point(u, v + d), point(u, v - d))))
+
+
 def sheet(point, nu, nv, repeat=None):
     """The surface point(u, v), u and v in 0..1, seen from where u turns to v counter-clockwise. `repeat` = how many
     textures along u and v; without it the texture lies on in metres."""
-    d = 1e-4
-
     def vertex(i, j):
-        u, v = i / nu, j / nv
-        du = sub(point(u + d, v), point(u - d, v))
-        dv = sub(point(u, v + d), point(u, v - d))
-        return point(u, v), unit(cross(du, dv))
+        return point(i / nu, j / nv), normal(point, i / nu, j / nv)
 
     shape = _grid(vertex, nu, nv)
     if repeat is None:

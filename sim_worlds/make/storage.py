@@ -16,7 +16,7 @@ def books(model, y0, y1, z, depth, height, back):
         spine = model.random.randrange(BOOKS)
         u = spine / BOOKS
         middle = (back + deep / 2, y + width / 2, z + tall / 2)
-        body = shapes.box((deep, width - 0.001, tall), skip=("+x", "-x", "-z"))
+        body = shapes.box((deep, width - 0.001, tall), skip=("+x",))
         model.show("books", [[(p, n, (u + 0.06 / BOOKS, 0.05 + 0.01 * t[0])) for p, n, t in tri] for tri in body], middle)
         model.show("books", shapes.image(width - 0.001, tall, (u, 0, u + 1 / BOOKS, 1)),
                    (back + deep, y + width / 2, z + tall / 2))
