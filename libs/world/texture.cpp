@@ -14,7 +14,24 @@ namespace {
 
 constexpr std::size_t kMaxImageBytes = std::size_t{256} << 20;
 
-cv::Mat decode(const std::string& bytes) {
+/// A PNG without its ancillary chunks, which change no pixel here but make libpng print complaints about profiles.
+std::string without_ancillary_chunks(const std::string& bytes) {
+  constexpr std::size_t kSignature = 8, kFrame = 12;  // length, type and checksum around the data of a chunk
+  if (bytes.compare(1, 3, "PNG") != 0 || bytes.size() < kSignature) return bytes;
+  std::string kept = bytes.substr(0, kSignature);
+  for (std::size_t at = kSignature; at + kFrame <= bytes.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
+    const bool critical = bytes[at + 4] >= 'A' && bytes[at + 4] <= 'Z';
+    if (length > bytes.size() - at - kFrame) return bytes;  // cut short: let the decoder say so
+    if (critical) kept.append(bytes, at, length + kFrame);
+    at += length + kFrame;
+  }
+  return kept;
+}
+
+cv::Mat decode(const std::string& file_bytes) {
+  const std::string bytes = file_bytes.size() > 8 ? without_ancillary_chunks(file_bytes) : std::string();
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   const cv::_InputArray view(bytes.data(), static_cast<int>(bytes.size()));
   try {

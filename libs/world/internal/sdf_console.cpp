@@ -1,5 +1,7 @@
 #include "world/internal/sdf_console.hpp"
 
+#include <console_bridge/console.h>
+
 #include <cstdlib>
 #include <mutex>
 #include <optional>
@@ -16,6 +18,7 @@ void silence_sdf_console() {
     const char* home = std::getenv("HOME");
     const std::optional<std::string> kept = home != nullptr ? std::optional<std::string>(home) : std::nullopt;
     setenv("HOME", "/dev/null", 1);
+    console_bridge::noOutputHandler();  // what is no SDF is tried as URDF, whose parser talks too
     sdf::Console::Instance()->SetQuiet(true);
     if (kept) {
       setenv("HOME", kept->c_str(), 1);

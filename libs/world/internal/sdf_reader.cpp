@@ -35,9 +35,6 @@ std::shared_ptr<const FileTree> built_in(const std::string& uri) {
 
 }  // namespace
 
-SdfReader::SdfReader(const ResourceFinder& finder, int max_texture_px)
-    : finder_(finder), shapes_(finder, max_texture_px), grammar_(make_sdf_grammar()) {}
-
 FileTree SdfReader::read(const fs::path& file) {
   const IncludeReader read_included = [&](const std::string& uri, const std::string& where) {
     return read_include(uri, where, file.parent_path());
@@ -45,7 +42,7 @@ FileTree SdfReader::read(const fs::path& file) {
   open_.push_back(fs::weakly_canonical(file));
   SdfText text = prepare_sdf(file, read_included);
   warnings_.insert(warnings_.end(), text.warnings.begin(), text.warnings.end());
-  FileTree tree = build_tree(text, file, grammar_, shapes_, warnings_);
+  FileTree tree = build_tree(text, file, shapes_, warnings_);
   open_.pop_back();
   return tree;
 }

@@ -11,13 +11,12 @@
 #include "world/internal/resource_finder.hpp"
 #include "world/internal/sdf_text.hpp"
 #include "world/internal/shape_reader.hpp"
-#include "world/internal/tree_builder.hpp"
 
 namespace amiss::world {
 
 class SdfReader {
  public:
-  SdfReader(const ResourceFinder& finder, int max_texture_px);
+  SdfReader(const ResourceFinder& finder, int max_texture_px) : finder_(finder), shapes_(finder, max_texture_px) {}
 
   /// InputError where the file cannot be used; faults of included files are warnings.
   [[nodiscard]] FileTree read(const std::filesystem::path& file);
@@ -30,7 +29,6 @@ class SdfReader {
 
   const ResourceFinder& finder_;
   ShapeReader shapes_;
-  std::shared_ptr<sdf::SDF> grammar_;
   std::map<std::filesystem::path, std::shared_ptr<const FileTree>> files_;
   std::vector<std::filesystem::path> open_;  // includes being read, to notice a file that includes itself
   std::vector<std::string> warnings_;

@@ -49,15 +49,26 @@ std::optional<double> friction_of(const sdf::Collision& collision) {
   return std::isfinite(mu) && mu >= 0.0 ? std::optional(std::min(mu, 10.0)) : std::nullopt;
 }
 
+/// The grammar of SDF, which takes libsdformat tens of milliseconds to set up: made once, used for every file.
+const sdf::SDFPtr& sdf_grammar() {
+  thread_local const sdf::SDFPtr grammar = [] {
+    silence_sdf_console();
+    auto made = std::make_shared<sdf::SDF>();
+    if (!sdf::init(made)) throw std::runtime_error("libsdformat cannot set up its own grammar");
+    return made;
+  }();
+  return grammar;
+}
+
 class Builder {
  public:
   Builder(const SdfText& text, const std::filesystem::path& file, ShapeReader& shapes,
           std::vector<std::string>& warnings)
       : text_(text), file_(file), shapes_(shapes), warnings_(warnings) {}
 
-  FileTree run(const sdf::SDFPtr& grammar) {
+  FileTree run() {
     sdf::Root root;
-    const sdf::Errors errors = parse(grammar, root);
+    const sdf::Errors errors = parse(root);
     const bool usable = text_.is_world ? root.WorldCount() > 0 : root.Model() != nullptr || root.Light() != nullptr;
     if (!usable) throw InputError(sentence(errors));
     for (const sdf::Error& error : errors) warnings_.push_back(sentence({error}));
@@ -72,11 +83,12 @@ class Builder {
   }
 
  private:
-  sdf::Errors parse(const sdf::SDFPtr& grammar, sdf::Root& root) const {
+  sdf::Errors parse(sdf::Root& root) const {
+    const sdf::SDFPtr& grammar = sdf_grammar();
+    grammar->Root()->ClearElements();  // of the file before
     sdf::ParserConfig config;
     config.SetFindCallback([](const std::string&) { return std::string(); });
     sdf::Errors errors;
-    grammar->Root()->ClearElements();  // of the file before
     if (!sdf::readString(text_.text, config, grammar, errors) && errors.empty()) {
       errors.emplace_back(sdf::ErrorCode::STRING_READ, "libsdformat cannot read it");
     }
@@ -226,16 +238,9 @@ class Builder {
 
 }  // namespace
 
-std::shared_ptr<sdf::SDF> make_sdf_grammar() {
-  silence_sdf_console();
-  auto grammar = std::make_shared<sdf::SDF>();
-  if (!sdf::init(grammar)) throw std::runtime_error("libsdformat cannot set up its own grammar");
-  return grammar;
-}
-
-FileTree build_tree(const SdfText& text, const std::filesystem::path& file, const std::shared_ptr<sdf::SDF>& grammar,
-                    ShapeReader& shapes, std::vector<std::string>& warnings) {
-  return Builder(text, file, shapes, warnings).run(grammar);
+FileTree build_tree(const SdfText& text, const std::filesystem::path& file, ShapeReader& shapes,
+                    std::vector<std::string>& warnings) {
+  return Builder(text, file, shapes, warnings).run();
 }
 
 }  // namespace amiss::world
