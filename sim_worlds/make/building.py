@@ -20,7 +20,7 @@ class World:
         self._slab("floor_" + room, (x1 - x0, y1 - y0, 0.1), ((x0 + x1) / 2, (y0 + y1) / 2, -0.05), surface, True)
 
     def ceiling(self, x0, y0, x1, y1):
-        size, at = (x1 - x0, y1 - y0, 0.05), ((x0 + x1) / 2, (y0 + y1) / 2, HEIGHT + 0.03)
+        size, at = (x1 - x0, y1 - y0, 0.05), ((x0 + x1) / 2, (y0 + y1) / 2, HEIGHT + 0.024)
         self._slab("ceiling", size, at, "ceiling", False)
 
     def _slab(self, name, size, at, surface, solid):

@@ -185,6 +185,8 @@ def washing_machine(name, about):
     model.show("grey", shapes.moved(shapes.cylinder(0.20, 0.03, 28), rpy=(0, side, 0)), (0.285, 0, 0.45))
     model.show("black", shapes.moved(shapes.lathe([(0.15, 0), (0.14, 0.02), (0.08, 0.035), (0, 0.04)], 24, True),
                                      rpy=(0, side, 0)), (0.298, 0, 0.45))
+    model.solid_cylinder(0.20, 0.03, (0.285, 0, 0.45), (0, side, 0))
+    model.solid_cylinder(0.14, 0.035, (0.316, 0, 0.45), (0, side, 0))
     model.trim("grey", (0.006, 0.56, 0.11), (0.281, 0, 0.77))
     model.show("steel", shapes.moved(shapes.cylinder(0.03, 0.02, 18), rpy=(0, side, 0)), (0.293, 0.02, 0.77))
     model.trim("white", (0.008, 0.16, 0.08), (0.282, 0.18, 0.77))
