@@ -1,6 +1,7 @@
 #include "plan/planner.hpp"
 
 #include "plan/internal/grounding.hpp"
+#include "plan/internal/mutex.hpp"
 #include "plan/internal/search.hpp"
 
 namespace amiss::plan {
@@ -10,6 +11,16 @@ using Answer = Result<Solution, NoPlan>;
 
 /// Hill-climbing may use up this part of the states; the rest is left for the complete search.
 constexpr std::size_t kClimbingPart = 100;
+
+/// Facts times actions looked at to find facts that exclude each other.
+constexpr std::size_t kMutexSteps = 50'000'000;
+
+/// Removes actions whose precondition excludes itself; false when the goal does.
+bool prune(Task& task) {
+  const ReachablePairs pairs(task, kMutexSteps);
+  std::erase_if(task.operators, [&](const Operator& op) { return !pairs.possible(op.precondition); });
+  return pairs.possible(task.goal);
+}
 
 std::optional<OperatorSequence> search(const StateSpace& space, RelaxedPlanHeuristic& heuristic, const Limits& limits,
                                        SearchCounts& counts) {
@@ -42,11 +53,14 @@ Answer solve(const Domain& domain, const Problem& problem, const Limits& limits)
   };
   const std::string unsolvable = "the problem '" + problem.name + "' has no plan: ";
   try {
-    const Task task = ground(domain, problem, limits.max_ground_actions);
+    Task task = ground(domain, problem, limits.max_ground_actions);
     counts.ground_actions = task.operators.size();
     counts.facts = task.fact_count;
     if (!task.goal_reachable) {
       return none(NoPlan::Reason::kUnsolvable, unsolvable + "its goal is out of reach of all actions");
+    }
+    if (!prune(task)) {
+      return none(NoPlan::Reason::kUnsolvable, unsolvable + "what its goal asks for cannot hold together");
     }
     const StateSpace space(task);
     RelaxedPlanHeuristic heuristic(space, problem.minimize_cost, counts.evaluated_states);

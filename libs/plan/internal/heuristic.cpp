@@ -114,7 +114,7 @@ bool RelaxedPlanHeuristic::explore() {
     for (int i = first_needed_by_[index(fact)]; i < last; ++i) {
       const int relaxed = needed_by_[index(i)];
       Progress& progress = progress_[index(relaxed)];
-      progress.cost = std::min(progress.cost + cost, kLargest);
+      progress.cost += cost;
       if (--progress.missing == 0) fire(relaxed);
     }
   }

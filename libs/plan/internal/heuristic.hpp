@@ -31,7 +31,8 @@ class RelaxedPlanHeuristic {
 
  private:
   static constexpr SearchCost kUnreached = INT64_MAX;
-  static constexpr SearchCost kLargest = std::int64_t{1} << 50;  // sums stop growing here
+  static constexpr SearchCost kLargest = std::int64_t{1}
+                                         << 40;  // costs stop growing here, so that sums of millions of them fit
 
   /// An effect of an operator without what it deletes: when all its conditions are reached, so is what it adds.
   struct Relaxed {
