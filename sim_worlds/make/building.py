@@ -64,9 +64,11 @@ class World:
 
     def save(self, path):
         x, y, degrees = self.robot_start
-        head = ['<?xml version="1.0"?>', "<!-- %s. Metres, z up, floor at z = 0. -->" % self.about, '<sdf version="1.9">',
+        about = "<!-- %s. Metres, z up, floor at z = 0. -->" % self.about
+        start = numbers((x, y, 0, 0, 0, math.radians(degrees)))
+        head = ['<?xml version="1.0"?>', about, '<sdf version="1.9">',
                 '  <world name="%s">' % self.name,
-                '    <frame name="robot_start"><pose>%s</pose></frame>' % numbers((x, y, 0, 0, 0, math.radians(degrees))),
+                '    <frame name="robot_start"><pose>%s</pose></frame>' % start,
                 "    <scene><ambient>0.72 0.72 0.73 1</ambient><background>0.75 0.84 0.92 1</background>"
                 "<shadows>false</shadows></scene>",
                 *_light("sun", (-0.35, 0.45, -0.82), 0.40), *_light("bounce", (0.50, -0.45, 0.75), 0.30)]

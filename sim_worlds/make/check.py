@@ -56,7 +56,8 @@ def _parts(model, name, outer, folder):
 
 def corners(kind, size):
     if kind == "box":
-        return [(sx * size[0] / 2, sy * size[1] / 2, sz * size[2] / 2) for sx in (1, -1) for sy in (1, -1) for sz in (1, -1)]
+        x, y, z = [s / 2 for s in size]
+        return [(i * x, j * y, k * z) for i in (1, -1) for j in (1, -1) for k in (1, -1)]
     ring = [2 * math.pi * k / 16 for k in range(16)]
     return [(size[0] * math.cos(a), size[0] * math.sin(a), sz * size[1] / 2) for a in ring for sz in (1, -1)]
 
@@ -99,7 +100,8 @@ def footprint(parts, bottom, top):
 
 def grown(cells, radius):
     reach = int(radius / CELL)
-    disc = [(i, j) for i in range(-reach, reach + 1) for j in range(-reach, reach + 1) if math.hypot(i, j) * CELL <= radius]
+    span = range(-reach, reach + 1)
+    disc = [(i, j) for i in span for j in span if math.hypot(i, j) * CELL <= radius]
     edge = [(i, j) for i, j in cells if not {(i + 1, j), (i - 1, j), (i, j + 1), (i, j - 1)} <= cells]
     return cells | {(i + a, j + b) for i, j in edge for a, b in disc}
 
@@ -161,7 +163,8 @@ def main():
     reach = reachable((int(start[0] / CELL), int(start[1] / CELL)), grown(tall, ROBOT_RADIUS), floor)
     swept = grown(reach, ROBOT_RADIUS) & floor
     for name, cells in sorted(rooms.items()) + [("all", floor)]:
-        print("%-16s %6.1f m2, free up to 0.3 m %5.1f, up to %.1f m %5.1f, robot's middle can be in %5.1f, it covers %5.1f" % (
+        print("%-16s %6.1f m2, free up to 0.3 m %5.1f, up to %.1f m %5.1f, "
+              "robot's middle can be in %5.1f, it covers %5.1f" % (
             (name,) + tuple(len(c) * CELL ** 2 * f for c, f in ((cells, 1), (cells - solid, 1))) + (ROBOT_HEIGHT,)
             + tuple(len(c) * CELL ** 2 for c in (cells - tall, cells & reach, cells & swept))))
     near = min(math.hypot((i + 0.5) * CELL - start[0], (j + 0.5) * CELL - start[1]) for i, j in tall)

@@ -1,4 +1,4 @@
-"""flat_90: living room, kitchen, corridor, bedroom, study and bathroom, 90 m2 of floor. x to the east, y to the north."""
+"""flat_90: living room, kitchen, corridor, bedroom, study and bathroom. x to the east, y to the north."""
 from building import DOOR, World
 
 OUT, IN = 0.15, 0.12                                # wall thickness
@@ -23,7 +23,8 @@ def _shell(world):
     world.floor("study", EAST, BACK, WIDE + OUT, DEEP + OUT, "carpet")
     world.ceiling(-OUT, -OUT, WIDE + OUT, DEEP + OUT)
     s, n, w, e = -OUT / 2, DEEP + OUT / 2, -OUT / 2, WIDE + OUT / 2
-    world.wall("south_living", (0, s), (EAST, s), OUT, ("wall_sand", "facade"), [window(1.5, 1.2), window(4.2, 1.8, 1.3, 0.9)])
+    world.wall("south_living", (0, s), (EAST, s), OUT, ("wall_sand", "facade"),
+               [window(1.5, 1.2), window(4.2, 1.8, 1.3, 0.9)])
     world.wall("south_bedroom", (EAST, s), (WIDE, s), OUT, ("wall_sky", "facade"), [window(8.7, 1.8, 1.3, 0.9)])
     world.wall("north_kitchen", (0, n), (SIDE, n), OUT, ("facade", "wall_white"))
     world.wall("north_bathroom", (SIDE, n), (EAST, n), OUT, ("facade", "tiles_wall"))
@@ -45,7 +46,7 @@ def _shell(world):
 
 
 def _openings(world):
-    for x, y, turn in ((1.3, MID, 90), (5.0, MID, 90), (6.94, MID, 90), (SIDE, 5.22, 0), (4.36, BACK, 90), (6.94, BACK, 90),
+    for x, y, turn in ((1.3, MID, 90), (5.0, MID, 90), (6.94, MID, 90), (4.36, BACK, 90), (6.94, BACK, 90), (SIDE, 5.22, 0),
                        (WIDE + OUT / 2, 5.22, 0)):
         world.door(x, y, turn)
     world.put("door_entrance", WIDE + 0.06, 5.22, 180)
@@ -147,7 +148,8 @@ def _bathroom(world):
 
 
 def build():
-    world = World("flat_90", "A flat of 90 m2: living room, kitchen, corridor, bedroom, study, bathroom", (6.3, 5.22, 180))
+    about = "A flat of 91 m2: living room, kitchen, corridor, bedroom, study, bathroom"
+    world = World("flat_90", about, (6.3, 5.22, 180))
     for part in (_shell, _openings, _living, _kitchen, _corridor, _bedroom, _study, _bathroom):
         part(world)
     return world

@@ -145,7 +145,8 @@ def toilet(name, about):
     """0.68 x 0.38, seat 0.42, cistern 0.80 high."""
     model = Model(name, about)
     bowl = shapes.lathe([(0, 0), (0.62, 0), (0.55, 0.10), (0.62, 0.22), (0.95, 0.34), (1.0, 0.39), (0, 0.39)], 24, True)
-    model.show("ceramic", [[((p[0] * 0.24, p[1] * 0.185, p[2]), n, t) for p, n, t in tri] for tri in bowl], (0.09, 0, 0))
+    bowl = [[((p[0] * 0.24, p[1] * 0.185, p[2]), n, t) for p, n, t in tri] for tri in bowl]
+    model.show("ceramic", bowl, (0.09, 0, 0))
     model.solid_cylinder(0.125, 0.26, (0.05, 0, 0.13))
     model.solid_cylinder(0.125, 0.26, (0.12, 0, 0.13))
     model.solid_box((0.42, 0.32, 0.15), (0.09, 0, 0.315))
@@ -169,7 +170,8 @@ def washbasin(name, about):
         model.trim("graphite", (0.022, 0.24, 0.012), (0.226, 0, z + 0.10))
     for side in (1, -1):
         model.box("ceramic", (0.48, 0.12, 0.07), (0, side * 0.34, 0.825), bevel=0.012)
-        model.box("ceramic", (0.08 if side > 0 else 0.12, 0.58, 0.07), (side * (0.20 if side > 0 else 0.18), 0, 0.825), bevel=0.012)
+    for x, deep in ((0.20, 0.08), (-0.18, 0.12)):
+        model.box("ceramic", (deep, 0.58, 0.07), (x, 0, 0.825), bevel=0.012)
     model.box("ceramic", (0.30, 0.58, 0.02), (0.02, 0, 0.80))
     _tap(model, (-0.19, 0, 0.858))
     model.box("white", (0.02, 0.72, 0.92), (-0.23, 0, 1.56), bevel=0.004)

@@ -11,7 +11,8 @@ def build():
     world.floor("lab", -OUT, -OUT, WIDE + OUT, DEEP + OUT, "laminate")
     world.ceiling(-OUT, -OUT, WIDE + OUT, DEEP + OUT)
     s, n, w, e = -OUT / 2, DEEP + OUT / 2, -OUT / 2, WIDE + OUT / 2
-    world.wall("south", (0, s), (WIDE, s), OUT, ("wall_white", "facade"), [window(1.6, 1.8, 1.3, 0.9), window(4.5, 1.8, 1.3, 0.9)])
+    world.wall("south", (0, s), (WIDE, s), OUT, ("wall_white", "facade"),
+               [window(1.6, 1.8, 1.3, 0.9), window(4.5, 1.8, 1.3, 0.9)])
     world.wall("north", (0, n), (WIDE, n), OUT, ("facade", "wall_white"))
     world.wall("west", (w, -OUT), (w, DEEP + OUT), OUT, ("wall_teal", "facade"))
     world.wall("east", (e, -OUT), (e, DEEP + OUT), OUT, ("facade", "wall_white"), [hole(3.4)])

@@ -26,7 +26,8 @@ _RIDGE, _CLOUD, _CROWNS, _PUFFS = Noise(61, 5, 1), Noise(63, 5, 9), Noise(62, 26
 def hills(u, v):
     sun = math.hypot(u - 0.68, (v - 0.70) * 0.75) < 0.11
     colour = (0.93, 0.55, 0.30) if sun else mix((0.98, 0.86, 0.68), (0.93, 0.72, 0.55), v)
-    for level, height, tone in ((0, 0.55, (0.62, 0.52, 0.58)), (1, 0.40, (0.36, 0.42, 0.52)), (2, 0.24, (0.16, 0.25, 0.34))):
+    ridges = ((0, 0.55, (0.62, 0.52, 0.58)), (1, 0.40, (0.36, 0.42, 0.52)), (2, 0.24, (0.16, 0.25, 0.34)))
+    for level, height, tone in ridges:
         if v < height + 0.09 * math.sin(2 * math.pi * (u * (1.1 + 0.5 * level) + 0.3 * level)):
             colour = tone
     return colour
@@ -61,8 +62,8 @@ def leaves(u, v):
     return (0.24, 0.36, 0.22) if abs(u - 0.5) < 0.008 and 0.06 < v < 0.9 else colour
 
 
-def _rug(ground, ring, motif, across):
-    """Border lines, a ground, and a field of diamonds; across = diamonds over the width."""
+def _rug(ground, ring, motif, along, across):
+    """Border lines, a ground, and a field of along x across diamonds."""
     yarn = weave(81, (1.04, 1.04, 1.04), (0.84, 0.84, 0.84), 96)
 
     def pixel(u, v):
@@ -71,7 +72,7 @@ def _rug(ground, ring, motif, across):
         if edge < 0.02 or 0.06 < edge < 0.075:
             colour = ring
         elif edge > 0.10:
-            x, y = abs((u - 0.5) * across % 1.0 - 0.5), abs((v - 0.5) * across % 1.0 - 0.5)
+            x, y = [abs((t - 0.1) / 0.8 * count % 1.0 - 0.5) for t, count in ((u, along), (v, across))]
             if x + y < 0.16 or 0.36 < x + y < 0.44:
                 colour = motif
         return tuple(c * s for c, s in zip(colour, yarn(u, v)))
@@ -127,9 +128,9 @@ def duvet(u, v):
 PICTURES = {
     "view": ((384, 288), view), "picture_hills": ((192, 144), hills), "picture_shapes": ((144, 192), shapes),
     "picture_sea": ((192, 144), sea), "picture_leaves": ((128, 192), leaves), "books": ((256, 128), books),
-    "rug_living": ((384, 256), _rug((0.56, 0.20, 0.17), (0.88, 0.80, 0.64), (0.80, 0.60, 0.38), 6)),
-    "rug_bedroom": ((256, 256), _rug((0.80, 0.78, 0.73), (0.36, 0.46, 0.52), (0.52, 0.60, 0.64), 4)),
-    "rug_runner": ((384, 128), _rug((0.24, 0.32, 0.36), (0.84, 0.76, 0.60), (0.70, 0.44, 0.30), 5)),
+    "rug_living": ((384, 256), _rug((0.56, 0.20, 0.17), (0.88, 0.80, 0.64), (0.80, 0.60, 0.38), 5, 4)),
+    "rug_bedroom": ((256, 256), _rug((0.80, 0.78, 0.73), (0.36, 0.46, 0.52), (0.52, 0.60, 0.64), 4, 4)),
+    "rug_runner": ((384, 128), _rug((0.24, 0.32, 0.36), (0.84, 0.76, 0.60), (0.70, 0.44, 0.30), 8, 2)),
     "bath_mat": ((96, 64), weave(82, (0.94, 0.92, 0.88), (0.80, 0.77, 0.72), 16)),
     "desktop": ((256, 144), desktop), "tv_picture": ((128, 72), tv_picture), "mirror_view": ((64, 96), mirror_view),
     "duvet": ((256, 256), duvet),

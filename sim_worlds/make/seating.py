@@ -142,13 +142,21 @@ def _duvet():
         fold = 0.010 * math.sin(9 * x + 2.5 * s) + 0.008 * math.sin(5 * s - 4 * x)
         over = abs(s) - 0.80
         if over <= 0:
-            return (x, s, 0.512 + fold - (0.03 if u == 0 else 0))
+            return (x, s, 0.512 + fold)
         bend = min(over / 0.06, 1.0)
         drop = max(0.0, over - 0.04)
         return (x, math.copysign(0.80 + 0.055 * math.sin(bend * math.pi / 2), s),
                 0.512 - 0.055 * (1 - math.cos(bend * math.pi / 2)) - drop * 0.95 + 0.006 * math.sin(14 * x))
 
     top = shapes.sheet(point, 16, 24)
-    end = shapes.sheet(lambda u, v: (1.02 + 0.03 * math.sin(u * math.pi), (v - 0.5) * 1.64, 0.515 - 0.20 * u), 4, 12)
-    head = shapes.sheet(lambda u, v: (-0.40, (v - 0.5) * 1.64, 0.44 + 0.075 * u), 1, 8)
+
+    def hanging(x, swell, low):
+        """From the end of the cover at that x straight down to the height `low`."""
+        def side(u, v):
+            _, y, z = point((x + 0.40) / 1.42, v)
+            return (x + swell * math.sin(u * math.pi), y, z + min(0.0, low - z) * u)
+        return side
+
+    end = shapes.sheet(hanging(1.02, 0.03, 0.31), 4, 24)
+    head = shapes.flipped(shapes.sheet(hanging(-0.40, 0.0, 0.44), 1, 24))
     return top + end + head

@@ -17,7 +17,8 @@ def books(model, y0, y1, z, depth, height, back):
         u = spine / BOOKS
         middle = (back + deep / 2, y + width / 2, z + tall / 2)
         body = shapes.box((deep, width - 0.001, tall), skip=("+x",))
-        model.show("books", [[(p, n, (u + 0.06 / BOOKS, 0.05 + 0.01 * t[0])) for p, n, t in tri] for tri in body], middle)
+        body = [[(p, n, (u + 0.06 / BOOKS, 0.05 + 0.01 * t[0])) for p, n, t in tri] for tri in body]
+        model.show("books", body, middle)
         model.show("books", shapes.image(width - 0.001, tall, (u, 0, u + 1 / BOOKS, 1)),
                    (back + deep, y + width / 2, z + tall / 2))
         y, top = y + width, max(top, tall)
@@ -75,7 +76,8 @@ def cabinet(name, about, size, wood, front, columns, rows, doors=False, knob="br
             model.trim(front, (0.018, cell - 0.008, tall - 0.008), (depth / 2 - 0.018, y, z), bevel=0.003)
             if doors:
                 side = 1 if i % 2 == 0 else -1
-                model.trim(knob, (0.02, 0.012, min(0.16, tall / 2)), (depth / 2 + 0.001, y + side * (cell / 2 - 0.045), z))
+                at = (depth / 2 + 0.001, y + side * (cell / 2 - 0.045), z)
+                model.trim(knob, (0.02, 0.012, min(0.16, tall / 2)), at)
             else:
                 model.trim(knob, (0.02, min(0.16, cell / 3), 0.012), (depth / 2 + 0.001, y, z + tall * 0.22))
     return model
@@ -87,8 +89,8 @@ def on_top(model, height, depth):
     for j, paint in enumerate(("navy", "terracotta", "cream")):
         model.box(paint, (0.16, 0.23, 0.028), (0.0, -0.28, z + 0.014 + 0.028 * j), (0, 0, 0.1 * j))
     model.box("oak", (0.018, 0.16, 0.21), (-depth / 2 + 0.10, 0.05, z + 0.10), (0, -0.15, 0))
-    model.show("picture_sea", shapes.moved(shapes.image(0.12, 0.17), (0.0095, 0, 0)), (-depth / 2 + 0.10, 0.05, z + 0.10),
-               (0, -0.15, 0))
+    photo = shapes.moved(shapes.image(0.12, 0.17), (0.0095, 0, 0))
+    model.show("picture_sea", photo, (-depth / 2 + 0.10, 0.05, z + 0.10), (0, -0.15, 0))
     bowl = [(0, 0), (0.04, 0), (0.10, 0.035), (0.12, 0.07), (0.11, 0.07), (0.08, 0.03), (0, 0.012)]
     model.show("terracotta", shapes.lathe(bowl, 18, True), (0, 0.34, z))
     model.solid_cylinder(0.085, 0.065, (0, 0.34, z + 0.033))

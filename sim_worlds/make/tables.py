@@ -33,7 +33,8 @@ def dining_table(name, about):
         model.box("oak", (0.40, 0.035, 0.06), (0, y, 0.19), bevel=0.004)
     model.box("oak", (0.06, 1.26, 0.09), (0, 0, 0.19), bevel=0.006)
     model.show("terracotta", shapes.box((0.42, 1.1, 0.003), skip=("-z",)), (0, 0, 0.752))
-    vase = [(0, 0.753), (0.045, 0.753), (0.07, 0.81), (0.05, 0.88), (0.03, 0.93), (0.036, 0.95), (0.026, 0.95), (0.02, 0.92)]
+    vase = [(0, 0.753), (0.045, 0.753), (0.07, 0.81), (0.05, 0.88), (0.03, 0.93), (0.036, 0.95), (0.026, 0.95),
+            (0.02, 0.92)]
     model.show("ceramic", shapes.lathe(vase, 18, True))
     model.solid_cylinder(0.055, 0.19, (0, 0, 0.85))
     for k in range(7):
@@ -48,11 +49,14 @@ def dining_table(name, about):
 def round_table(name, about):
     """0.80 across, 0.74 high, on a trumpet foot."""
     model = Model(name, about)
-    model.show("white", shapes.lathe([(0, 0.71), (0.36, 0.71), (0.40, 0.725), (0.40, 0.735), (0.395, 0.74), (0, 0.74)], 32))
+    top = [(0, 0.71), (0.36, 0.71), (0.40, 0.725), (0.40, 0.735), (0.395, 0.74), (0, 0.74)]
+    model.show("white", shapes.lathe(top, 32))
     model.solid_cylinder(0.40, 0.028, (0, 0, 0.725))
-    foot = [(0.25, 0), (0.25, 0.012), (0.16, 0.035), (0.08, 0.08), (0.045, 0.18), (0.038, 0.40), (0.05, 0.62), (0.11, 0.71)]
+    foot = [(0.25, 0), (0.25, 0.012), (0.16, 0.035), (0.08, 0.08), (0.045, 0.18), (0.038, 0.40), (0.05, 0.62),
+            (0.11, 0.71)]
     model.show("white", shapes.lathe(foot, 24, True))
-    for radius, length, z in ((0.25, 0.012, 0.006), (0.15, 0.04, 0.03), (0.07, 0.09, 0.09), (0.046, 0.50, 0.38), (0.07, 0.09, 0.665)):
+    solids = ((0.25, 0.012, 0.006), (0.15, 0.04, 0.03), (0.07, 0.09, 0.09), (0.046, 0.50, 0.38), (0.07, 0.09, 0.665))
+    for radius, length, z in solids:
         model.solid_cylinder(radius, length, (0, 0, z))
     return model
 
