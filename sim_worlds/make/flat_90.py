@@ -46,14 +46,14 @@ def _shell(world):
 
 
 def _openings(world):
-    for x, y, turn in ((1.3, MID, 90), (5.0, MID, 90), (6.94, MID, 90), (4.36, BACK, 90), (6.94, BACK, 90), (SIDE, 5.22, 0),
-                       (WIDE + OUT / 2, 5.22, 0)):
+    doors = ((1.3, MID, 90), (5.0, MID, 90), (6.94, MID, 90), (4.36, BACK, 90), (6.94, BACK, 90), (SIDE, 5.22, 0),
+             (WIDE + OUT / 2, 5.22, 0))
+    for x, y, turn in doors:
         world.door(x, y, turn)
     world.put("door_entrance", WIDE + 0.06, 5.22, 180)
     for x, y, turn in ((6.45, 3.90, 0), (6.45, 6.54, 180), (3.87, 6.54, 180)):     # bedroom, study, bathroom: open
         world.put("door_leaf", x, y, turn)
-    for x in (1.5,):
-        world.put("window", x, -OUT / 2, 90, 1.55)
+    world.put("window", 1.5, -OUT / 2, 90, 1.55)
     for x in (4.2, 8.7):
         world.put("window_wide", x, -OUT / 2, 90, 1.55)
         world.put("curtain_rod", x, 0, 90)
