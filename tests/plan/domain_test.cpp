@@ -19,7 +19,7 @@ std::string error_of(const std::string& text) {
 }
 
 std::string with_action(const std::string& rest) {
-  return "(define (domain d)\n (:predicates (p ?x) (q))\n (:action a :parameters (?x)\n" + rest + "))";
+  return "(define (domain d)\n (:predicates (p ?x) (q) (clear ?x))\n (:action a :parameters (?x)\n" + rest + "))";
 }
 
 TEST(Domain, KeepsTypesAndTheirAncestors) {
@@ -37,8 +37,8 @@ TEST(Domain, KeepsTypesAndTheirAncestors) {
 }
 
 TEST(Domain, ErrorsNameFileLineAndWhatIsAllowed) {
-  EXPECT_EQ(error_of(with_action(" :precondition (r ?x)")),
-            "d.pddl:4: the predicate 'r' is not declared; did you mean 'p'?");
+  EXPECT_EQ(error_of(with_action(" :precondition (claer ?x)")),
+            "d.pddl:4: the predicate 'claer' is not declared; did you mean 'clear'?");
   EXPECT_EQ(error_of(with_action(" :precondition (p ?x ?x)")), "d.pddl:4: '(p ?x ?x)' has 2 arguments; 'p' takes 1");
   EXPECT_NE(error_of(with_action(" :effect (p ?y)")).find("d.pddl:4: the variable '?y' is not bound"),
             std::string::npos);

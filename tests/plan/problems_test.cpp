@@ -1,8 +1,9 @@
 // Problems that others made, where they are at hand: solved, valid, short enough, fast; broken plans refused.
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
@@ -62,7 +63,8 @@ TEST_F(Competition, SolvedValidShortAndFast) {
     const auto& optimal = entry.at("optimal_length");
     const auto& bound = optimal.is_null() ? entry.at("ff_length") : optimal;
     const std::size_t factor = optimal.is_null() ? 1 : 2;
-    if (!bound.is_null()) EXPECT_LE(solution->plan.steps.size(), factor * bound.get<std::size_t>());
+    if (bound.is_null()) continue;
+    EXPECT_LE(solution->plan.steps.size(), factor * bound.get<std::size_t>());
   }
 }
 
