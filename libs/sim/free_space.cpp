@@ -14,7 +14,7 @@ namespace {
 
 using Polygon = std::vector<Eigen::Vector2d>;
 
-constexpr int kMaxCells = 4000;           // along one side of a grid
+constexpr int kMaxCells = 4000;  // along one side of a grid
 constexpr double kPlanResolution_m = 0.05;
 
 /// The part of a convex polygon in space on one side of a horizontal plane (Sutherland and Hodgman 1974).
@@ -35,9 +35,8 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
 
 /// Convex hull, counter-clockwise (Andrew 1979).
 Polygon hull_of(Polygon points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
-  });
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
   Polygon hull;
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t start = hull.size();
@@ -112,8 +111,8 @@ FloorGrid floor_plan(const world::World& world, double resolution_m, double low_
   const Eigen::Vector2d origin = extent.min().head<2>().array() - resolution_m;
   const Eigen::Vector2d size = extent.sizes().head<2>().array() + 2.0 * resolution_m;
   if (size.maxCoeff() / resolution_m > kMaxCells) {
-    throw InputError(world.file.string() + ": the world measures " + std::to_string(size.maxCoeff()) +
-                     " m; up to " + std::to_string(kMaxCells * resolution_m) + " m are allowed");
+    throw InputError(world.file.string() + ": the world measures " + std::to_string(size.maxCoeff()) + " m; up to " +
+                     std::to_string(kMaxCells * resolution_m) + " m are allowed");
   }
   FloorGrid grid(resolution_m, origin, static_cast<int>(std::ceil(size.x() / resolution_m)),
                  static_cast<int>(std::ceil(size.y() / resolution_m)), Occupancy::kFree);
