@@ -58,15 +58,16 @@ Region region_of(std::vector<Voxel> voxels, const VoxelMap& map, int min_hit_fra
 
 bool is_of_interest(const Region& region, double resolution_m, const RegionParams& p) {
   const auto size = static_cast<int>(region.voxels.size());
-  if (size < p.min_voxels || size > p.max_voxels) return false;
+  const bool evident = region.evident_voxels >= p.min_voxels;
+  const bool lone = p.min_hit_frames > 0 && region.hit_frames >= p.lone_hit_frames;
+  if (!(evident || lone) || size > p.max_voxels) return false;
   constexpr double kSpareM = 1e-6;
   if (region.z_high_m - region.z_low_m > p.max_height_m + kSpareM) return false;
   if (region.z_low_m > p.max_floor_gap_m + kSpareM) return false;
   const auto [low, high] = std::minmax_element(region.voxels.begin(), region.voxels.end(),
                                                [](const Voxel& a, const Voxel& b) { return a.y < b.y; });
   const int across = std::max(region.voxels.back().x - region.voxels.front().x, high->y - low->y) + 1;
-  if (across * resolution_m > p.max_across_m + kSpareM) return false;
-  return region.evident_voxels >= std::min(p.min_voxels, size);
+  return across * resolution_m <= p.max_across_m + kSpareM;
 }
 
 }  // namespace
@@ -78,6 +79,8 @@ void describe(ParamTable& table, RegionParams& p) {
   table.number("change.max_across", p.max_across_m, "m", 0.05, 5, "greatest extent of a region in x and y");
   table.number("change.max_floor_gap", p.max_floor_gap_m, "m", 0, 3, "how far above the floor a region may begin");
   table.integer("change.min_hit_frames", p.min_hit_frames, 0, 255, "frames that must have hit a voxel to believe it");
+  table.integer("change.lone_hit_frames", p.lone_hit_frames, 1, 255,
+                "frames that must have hit a voxel to believe it where there are fewer than c_min");
 }
 
 std::vector<std::vector<Voxel>> clusters(const std::vector<Voxel>& voxels) {

@@ -29,11 +29,11 @@ struct VoxelMapParams {
   std::string store = "blocks";
   double resolution_m = 0.05;
   double min_range_m = 0.3;
-  double max_range_m = 3.2;
-  double max_hit_range_m = 3.0;
-  int pixel_step = 2;
-  int min_end_points = 2;
-  double min_end_fraction = 0.06;
+  double max_range_m = 3.0;
+  double max_hit_range_m = 2.8;
+  int pixel_step = 1;
+  int min_end_points = 4;
+  double min_end_fraction = 0.05;
   double hit_log_odds = 0.85;
   double miss_log_odds = -0.4;
   double clamp_low = -2.0;

@@ -42,11 +42,8 @@ class OctomapStore : public VoxelMap::Store {
   }
 
   void set(std::uint32_t, Voxel v, std::optional<std::int16_t> steps) override {
-    if (steps) {
-      tree_.setNodeValue(key_of(v), odds(std::clamp(*steps, steps_.low, steps_.high)));
-    } else {
-      tree_.deleteNode(key_of(v));
-    }
+    // A voxel that became unknown keeps a node: OcTree::deleteNode asserts when it takes a parent's last child away.
+    tree_.setNodeValue(key_of(v), odds(std::clamp(steps.value_or(std::int16_t{0}), steps_.low, steps_.high)));
   }
 
   [[nodiscard]] std::int16_t steps(std::uint32_t, Voxel v) const override {
