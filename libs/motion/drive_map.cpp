@@ -7,22 +7,47 @@
 namespace amiss::motion {
 namespace {
 
-/// Cells of the layer that lie in the box become cells of `merged`: occupied wins, free fills what is unknown.
-void merge_layer(FloorGrid& merged, const FloorGrid& layer) {
-  for (int y = 0; y < merged.height(); ++y) {
-    for (int x = 0; x < merged.width(); ++x) {
-      const Occupancy there = layer.at(merged.centre_of({x, y}));
-      if (there == Occupancy::kUnknown) continue;
-      if (there == Occupancy::kOccupied || merged.at(Cell{x, y}) == Occupancy::kUnknown) merged.set({x, y}, there);
-    }
+constexpr double kBeyond_m = 1.0;  // round what the reference knows, where layers still count
+
+template <class Visit>
+void for_cells(const CellBox& box, Visit visit) {
+  for (int y = box.low.y; y <= box.high.y; ++y) {
+    for (int x = box.low.x; x <= box.high.x; ++x) visit(Cell{x, y});
   }
-  // A finer layer has cells that hold no centre of ours.
-  for (int y = 0; y < layer.height(); ++y) {
-    for (int x = 0; x < layer.width(); ++x) {
-      if (layer.at(Cell{x, y}) != Occupancy::kOccupied) continue;
-      const Cell ours = merged.cell_at(layer.centre_of({x, y}));
-      if (merged.contains(ours)) merged.set(ours, Occupancy::kOccupied);
-    }
+}
+
+CellBox grown(const CellBox& box, int cells, const FloorGrid& grid) {
+  return {{std::max(0, box.low.x - cells), std::max(0, box.low.y - cells)},
+          {std::min(grid.width() - 1, box.high.x + cells), std::min(grid.height() - 1, box.high.y + cells)}};
+}
+
+void add(CellBox& box, Cell c) {
+  if (box.high.x < box.low.x) box = {c, c};
+  box.low = {std::min(box.low.x, c.x), std::min(box.low.y, c.y)};
+  box.high = {std::max(box.high.x, c.x), std::max(box.high.y, c.y)};
+}
+
+constexpr CellBox kEmpty{{0, 0}, {-1, -1}};
+
+CellBox known_box(const FloorGrid& grid) {
+  CellBox box = kEmpty;
+  for (int y = 0; y < grid.height(); ++y) {
+    const Occupancy* row = grid.cells().data() + grid.index({0, y});
+    const Occupancy* end = row + grid.width();
+    const auto known = [](Occupancy o) { return o != Occupancy::kUnknown; };
+    const Occupancy* first = std::find_if(row, end, known);
+    if (first == end) continue;
+    const Occupancy* last = end - 1;
+    while (*last == Occupancy::kUnknown) --last;
+    add(box, {static_cast<int>(first - row), y});
+    add(box, {static_cast<int>(last - row), y});
+  }
+  return box;
+}
+
+void merge_value(FloorGrid& merged, Cell c, Occupancy there) {
+  if (there == Occupancy::kOccupied || (there == Occupancy::kFree && merged.at(c) == Occupancy::kUnknown)) {
+    merged.set(c, there);
   }
 }
 
@@ -31,16 +56,20 @@ bool same_geometry(const FloorGrid& a, const FloorGrid& b) {
          a.origin_m() == b.origin_m();
 }
 
-void merge_equal(FloorGrid& merged, const FloorGrid& layer) {
-  for (int y = 0; y < merged.height(); ++y) {
-    for (int x = 0; x < merged.width(); ++x) {
-      const Cell c{x, y};
-      const Occupancy there = layer.at(c);
-      if (there == Occupancy::kOccupied || (there == Occupancy::kFree && merged.at(c) == Occupancy::kUnknown)) {
-        merged.set(c, there);
-      }
-    }
+/// Occupied wins, free fills what is unknown.
+void merge_layer(FloorGrid& merged, const FloorGrid& layer, const CellBox& box) {
+  if (same_geometry(merged, layer)) {
+    for_cells(box, [&](Cell c) { merge_value(merged, c, layer.at(c)); });
+    return;
   }
+  for_cells(box, [&](Cell c) { merge_value(merged, c, layer.at(merged.centre_of(c))); });
+  // A finer layer has cells that hold no centre of ours.
+  for_cells({{0, 0}, {layer.width() - 1, layer.height() - 1}}, [&](Cell theirs) {
+    if (layer.at(theirs) != Occupancy::kOccupied) return;
+    const Cell ours = merged.cell_at(layer.centre_of(theirs));
+    const bool inside = ours.x >= box.low.x && ours.y >= box.low.y && ours.x <= box.high.x && ours.y <= box.high.y;
+    if (inside) merged.set(ours, Occupancy::kOccupied);
+  });
 }
 
 void free_disc(FloorGrid& grid, const Eigen::Vector2d& place, double radius_m) {
@@ -52,23 +81,6 @@ void free_disc(FloorGrid& grid, const Eigen::Vector2d& place, double radius_m) {
       if (grid.contains(c) && (grid.centre_of(c) - place).norm() <= radius_m) grid.set(c, Occupancy::kFree);
     }
   }
-}
-
-struct Box {
-  Cell low, high;  // both inside
-};
-
-std::size_t count_changes(const FloorGrid& before, const FloorGrid& after, Box& box) {
-  std::size_t changes = 0;
-  for (int y = 0; y < after.height(); ++y) {
-    for (int x = 0; x < after.width(); ++x) {
-      if (before.at(Cell{x, y}) == after.at(Cell{x, y})) continue;
-      if (changes++ == 0) box = {{x, y}, {x, y}};
-      box.low = {std::min(box.low.x, x), std::min(box.low.y, y)};
-      box.high = {std::max(box.high.x, x), std::max(box.high.y, y)};
-    }
-  }
-  return changes;
 }
 
 }  // namespace
@@ -85,30 +97,44 @@ DriveMap::DriveMap(FloorGrid reference, DriveParams params) : params_(params) { 
 void DriveMap::reset(FloorGrid reference) {
   reference_ = std::move(reference);
   grid_ = reference_;
+  scratch_ = reference_;
   passable_from_m_ = static_cast<float>(params_.robot_radius_m - 1e-6);
   clearance_m_.assign(grid_.cells().size(), 0.0F);
-  if (!clearance_m_.empty()) recompute({0, 0}, {grid_.width() - 1, grid_.height() - 1});
+  box_ = known_box(reference_);
+  if (box_.width() <= 0) return;
+  box_ = grown(box_, static_cast<int>(std::ceil(kBeyond_m / grid_.resolution_m())), grid_);
+  recompute(box_);
 }
 
 std::size_t DriveMap::update(std::span<const FloorGrid* const> layers, std::span<const Eigen::Vector2d> hits_map) {
-  scratch_ = reference_;
-  for (const FloorGrid* layer : layers) {
-    if (same_geometry(scratch_, *layer)) {
-      merge_equal(scratch_, *layer);
-    } else {
-      merge_layer(scratch_, *layer);
-    }
-  }
+  for_cells(box_, [&](Cell c) { scratch_.set(c, reference_.at(c)); });
+  for (const FloorGrid* layer : layers) merge_layer(scratch_, *layer, box_);
+  add_hits(hits_map);
+  for (const Eigen::Vector2d& place : free_places_) free_disc(scratch_, place, free_radius_m_);
+  CellBox changed = kEmpty;
+  std::size_t changes = 0;
+  for_cells(box_, [&](Cell c) {
+    if (grid_.at(c) == scratch_.at(c)) return;
+    ++changes;
+    add(changed, c);
+  });
+  std::swap(grid_, scratch_);
+  if (changes > 0) recompute(changed);
+  return changes;
+}
+
+void DriveMap::add_hits(std::span<const Eigen::Vector2d> hits_map) {
+  std::vector<Cell> news;
   for (const Eigen::Vector2d& hit : hits_map) {
     const Cell c = scratch_.cell_at(hit);
-    if (scratch_.contains(c)) scratch_.set(c, Occupancy::kOccupied);
+    if (c.x < box_.low.x || c.y < box_.low.y || c.x > box_.high.x || c.y > box_.high.y) continue;
+    bool known = false;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) known = known || scratch_.at(Cell{c.x + dx, c.y + dy}) == Occupancy::kOccupied;
+    }
+    if (!known) news.push_back(c);
   }
-  for (const Eigen::Vector2d& place : free_places_) free_disc(scratch_, place, free_radius_m_);
-  Box changed;
-  const std::size_t changes = count_changes(grid_, scratch_, changed);
-  std::swap(grid_, scratch_);
-  if (changes > 0) recompute(changed.low, changed.high);
-  return changes;
+  for (const Cell c : news) scratch_.set(c, Occupancy::kOccupied);
 }
 
 void DriveMap::keep_free(std::vector<Eigen::Vector2d> places_map, double radius_m) {
@@ -117,28 +143,19 @@ void DriveMap::keep_free(std::vector<Eigen::Vector2d> places_map, double radius_
 }
 
 /// A change reaches as far as the cap; what is nearest to a cell there lies within a second cap.
-void DriveMap::recompute(Cell low, Cell high) {
+void DriveMap::recompute(const CellBox& changed) {
   const double half_cell_m = 0.5 * grid_.resolution_m();
   const int reach = static_cast<int>(std::ceil((params_.clearance_cap_m + half_cell_m) / grid_.resolution_m()));
-  const auto grown = [&](int cells) {
-    return Box{{std::max(0, low.x - cells), std::max(0, low.y - cells)},
-               {std::min(grid_.width() - 1, high.x + cells), std::min(grid_.height() - 1, high.y + cells)}};
-  };
-  const Box outer = grown(2 * reach), inner = grown(reach);
-  const Eigen::Vector2d origin =
-      grid_.origin_m() + grid_.resolution_m() * Eigen::Vector2d(double(outer.low.x), double(outer.low.y));
-  FloorGrid window(grid_.resolution_m(), origin, outer.high.x - outer.low.x + 1, outer.high.y - outer.low.y + 1);
-  for (int y = 0; y < window.height(); ++y) {
-    for (int x = 0; x < window.width(); ++x) window.set({x, y}, grid_.at(Cell{outer.low.x + x, outer.low.y + y}));
-  }
+  const CellBox outer = grown(changed, 2 * reach, grid_), inner = grown(changed, reach, grid_);
+  const Eigen::Vector2d origin = grid_.origin_m() + grid_.resolution_m() * Eigen::Vector2d(outer.low.x, outer.low.y);
+  FloorGrid window(grid_.resolution_m(), origin, outer.width(), outer.height());
+  for_cells(outer, [&](Cell c) { window.set({c.x - outer.low.x, c.y - outer.low.y}, grid_.at(c)); });
   const std::vector<float> distance_m = distance_to_occupied_m(window, params_.unknown_is_occupied);
   const auto half = static_cast<float>(half_cell_m), cap = static_cast<float>(params_.clearance_cap_m);
-  for (int y = inner.low.y; y <= inner.high.y; ++y) {
-    for (int x = inner.low.x; x <= inner.high.x; ++x) {
-      const float d = distance_m[window.index({x - outer.low.x, y - outer.low.y})];
-      clearance_m_[grid_.index({x, y})] = std::clamp(d - half, 0.0F, cap);
-    }
-  }
+  for_cells(inner, [&](Cell c) {
+    const float d = distance_m[window.index({c.x - outer.low.x, c.y - outer.low.y})];
+    clearance_m_[grid_.index(c)] = std::clamp(d - half, 0.0F, cap);
+  });
 }
 
 double DriveMap::clearance_at(const Eigen::Vector2d& p_map) const {

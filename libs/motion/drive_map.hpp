@@ -21,15 +21,23 @@ struct DriveParams {
 };
 void describe(ParamTable& table, DriveParams& params);
 
+struct CellBox {
+  Cell low, high;  // both belong to it; empty where high < low
+  [[nodiscard]] int width() const { return high.x - low.x + 1; }
+  [[nodiscard]] int height() const { return high.y - low.y + 1; }
+};
+
 class DriveMap {
  public:
   /// The grid has the geometry of `reference`, which is merged into every update.
   DriveMap(FloorGrid reference, DriveParams params);
 
-  /// Replaces the reference by one of any size (mapping run) and forgets the other layers.
+  /// Replaces the reference by one of any size (mapping run) and forgets the other layers. What lies more than 1 m
+  /// outside of the box round its known cells is left out, so a large unknown border costs nothing.
   void reset(FloorGrid reference);
   /// Reference + occupied cells of the layers (any geometry) + hits; what is no longer there is cleared. Cells free in
-  /// a layer and unknown in the reference become free. Only the part that changed is computed anew.
+  /// a layer and unknown in the reference become free. A hit beside an occupied cell is that cell, seen with noise.
+  /// Only the part that changed is computed anew.
   /// Returns the number of cells that changed.
   std::size_t update(std::span<const FloorGrid* const> layers, std::span<const Eigen::Vector2d> hits_map);
   /// Cells within `radius_m` are free whatever the layers say, from the next update on (the robot stands there).
@@ -37,6 +45,7 @@ class DriveMap {
 
   [[nodiscard]] const FloorGrid& grid() const { return grid_; }
   [[nodiscard]] const DriveParams& params() const { return params_; }
+  [[nodiscard]] const CellBox& box() const { return box_; }  // no cell outside of it is passable
   [[nodiscard]] std::span<const float> clearance_m() const { return clearance_m_; }
   [[nodiscard]] float clearance_at(Cell c) const { return grid_.contains(c) ? clearance_m_[grid_.index(c)] : 0.0F; }
   /// Bilinear between cell centres; 0 outside.
@@ -49,10 +58,12 @@ class DriveMap {
   [[nodiscard]] std::optional<Cell> nearest_passable(const Eigen::Vector2d& p_map, double radius_m) const;
 
  private:
-  void recompute(Cell low, Cell high);
+  void recompute(const CellBox& changed);
+  void add_hits(std::span<const Eigen::Vector2d> hits_map);
 
   DriveParams params_;
   float passable_from_m_ = 0.0F;
+  CellBox box_;
   FloorGrid reference_, grid_, scratch_;
   std::vector<float> clearance_m_;
   std::vector<Eigen::Vector2d> free_places_;

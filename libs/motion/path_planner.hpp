@@ -13,7 +13,7 @@
 namespace amiss::motion {
 
 struct PlannerParams {
-  int iterations = 300;           // of the sampling planner; 0: the grid path alone
+  int iterations = 120;           // of the sampling planner; 0: the grid path alone
   double escape_m = 0.5;          // a start too near to something may be left this far
   double goal_tolerance_m = 0.0;  // a goal too near to something may be moved this far
   double clearance_weight = 1.5;  // a metre at the robot's radius costs 1 + this, one at the preferred clearance 1

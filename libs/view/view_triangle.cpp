@@ -41,8 +41,19 @@ struct Sample {
   std::vector<std::uint32_t> cells;  // of the target, inside the triangle and not hidden
 };
 
+ViewTriangle triangle_of(const FloorGrid& sight, const Pose2<Map, Base>& T_map_base, const TriangleParams& params,
+                         internal::TriangleView& view) {
+  ViewTriangle triangle{T_map_base, params.angle_rad, params.height_m, {}, 0.0};
+  const auto width = static_cast<std::uint32_t>(sight.width());
+  for (const std::uint32_t cell : view.from(T_map_base)) {
+    const Cell c{static_cast<int>(cell % width), static_cast<int>(cell / width)};
+    triangle.floor_m.push_back(sight.centre_of(c).cast<float>());
+  }
+  return triangle;
+}
+
 std::vector<Sample> sample_triangles(const FloorGrid& sight, std::span<const float> travel_m,
-                                     const std::vector<std::uint8_t>& target, const TriangleParams& params,
+                                     const std::vector<std::uint8_t>& target, int count, internal::TriangleView& view,
                                      RandomStream& random) {
   std::vector<Cell> places;
   for (int y = 0; y < sight.height(); ++y) {
@@ -52,8 +63,7 @@ std::vector<Sample> sample_triangles(const FloorGrid& sight, std::span<const flo
   }
   std::vector<Sample> samples;
   if (places.empty()) return samples;
-  internal::TriangleView view(sight, params.angle_rad, params.height_m);
-  for (int i = 0; i < params.samples; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Eigen::Vector2d place = sight.centre_of(places[random.below(places.size())]);
     Sample sample;
     sample.T_map_base = {place.x(), place.y(), wrap_angle(random.uniform(-std::numbers::pi, std::numbers::pi))};
@@ -128,7 +138,8 @@ TriangleCover cover_with_triangles(const FloorGrid& sight, std::span<const float
                                    const TriangleParams& params, RandomStream& random) {
   assert(travel_m.size() == sight.cells().size());
   const std::vector<std::uint8_t> target = target_floor(sight, travel_m);
-  const std::vector<Sample> samples = sample_triangles(sight, travel_m, target, params, random);
+  internal::TriangleView view(sight, params.angle_rad, params.height_m);
+  const std::vector<Sample> samples = sample_triangles(sight, travel_m, target, params.samples, view, random);
   std::vector<std::uint8_t> open = target;
   for (int y = 0; y < sight.height(); ++y) {
     for (int x = 0; x < sight.width(); ++x) {
@@ -148,7 +159,7 @@ TriangleCover cover_with_triangles(const FloorGrid& sight, std::span<const float
     if (best.gain == 0 || gain_m2 < params.min_gain_m2) break;
     lazy.take(best);
     left -= static_cast<double>(best.gain);
-    cover.triangles.push_back(view_triangle(sight, samples[best.sample].T_map_base, params));
+    cover.triangles.push_back(triangle_of(sight, samples[best.sample].T_map_base, params, view));
     cover.triangles.back().gain_m2 = gain_m2;
   }
   cover.target_m2 = all * cell_m2;
@@ -158,14 +169,8 @@ TriangleCover cover_with_triangles(const FloorGrid& sight, std::span<const float
 }
 
 ViewTriangle view_triangle(const FloorGrid& sight, const Pose2<Map, Base>& T_map_base, const TriangleParams& params) {
-  ViewTriangle triangle{T_map_base, params.angle_rad, params.height_m, {}, 0.0};
   internal::TriangleView view(sight, params.angle_rad, params.height_m);
-  const auto width = static_cast<std::uint32_t>(sight.width());
-  for (const std::uint32_t cell : view.from(T_map_base)) {
-    const Cell c{static_cast<int>(cell % width), static_cast<int>(cell / width)};
-    triangle.floor_m.push_back(sight.centre_of(c).cast<float>());
-  }
-  return triangle;
+  return triangle_of(sight, T_map_base, params, view);
 }
 
 double covered_fraction(const ViewTriangle& triangle, const FloorGrid& seen) {

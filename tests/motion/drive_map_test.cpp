@@ -50,6 +50,37 @@ TEST(DriveMap, FreeLayersFillTheUnknownButClearNothing) {
   EXPECT_EQ(map.grid().at(Eigen::Vector2d(-0.05, 2.0)), Occupancy::kOccupied);
 }
 
+TEST(DriveMap, AHitBesideAWallIsTheWall) {
+  DriveMap map(empty_room(4.0, 4.0), {});
+  EXPECT_EQ(map.update({}, std::vector<Eigen::Vector2d>{{0.04, 2.0}, {-0.05, 3.0}}), 0U);
+  EXPECT_EQ(map.update({}, std::vector<Eigen::Vector2d>{{0.06, 2.0}, {0.06, 2.05}}), 2U);
+}
+
+TEST(DriveMap, AWideUnknownBorderChangesNothing) {
+  const FloorGrid room = empty_room(4.0, 4.0);
+  FloorGrid wide(0.05, room.origin_m() - Eigen::Vector2d(10.0, 5.0), 600, 500);
+  for (int y = 0; y < room.height(); ++y) {
+    for (int x = 0; x < room.width(); ++x) wide.set({x + 200, y + 100}, room.at(Cell{x, y}));
+  }
+  DriveMap small(room, {}), large(wide, {});
+  const std::vector<Eigen::Vector2d> hits{{1.02, 1.02}, {-8.0, 0.0}};
+  EXPECT_EQ(small.update({}, hits), large.update({}, hits));
+  for (int y = 0; y < room.height(); ++y) {
+    for (int x = 0; x < room.width(); ++x) {
+      EXPECT_EQ(small.grid().at(Cell{x, y}), large.grid().at(Cell{x + 200, y + 100}));
+      EXPECT_EQ(small.clearance_at(Cell{x, y}), large.clearance_at(Cell{x + 200, y + 100}));
+    }
+  }
+  EXPECT_LT(large.box().width(), 140);
+}
+
+TEST(DriveMap, AnUnknownMapIsPassableNowhere) {
+  DriveMap map(FloorGrid(0.05, {0, 0}, 20, 20), {});
+  EXPECT_EQ(map.update({}, std::vector<Eigen::Vector2d>{{0.5, 0.5}}), 0U);
+  EXPECT_FALSE(map.nearest_passable({0.5, 0.5}, 1.0));
+  EXPECT_FALSE(DriveMap(FloorGrid(), {}).nearest_passable({0.5, 0.5}, 1.0));
+}
+
 TEST(DriveMap, KeepsFreeWhereTheRobotStands) {
   DriveMap map(empty_room(4.0, 4.0), {});
   map.keep_free({{1.0, 1.0}}, 0.2);

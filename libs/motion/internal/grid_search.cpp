@@ -37,17 +37,17 @@ constexpr std::array<Move, 16> kMoves{{
     {-1, -2, kKnight, {{{0, -1}, {-1, -1}}}},
 }};
 
-/// The grid with a border, all that a move asks for in one place.
+/// The box of the map that can be passable, with a border: all that a move asks for in one place.
 class Board {
  public:
-  Board(const DriveMap& map, double clearance_weight) : stride_(map.grid().width() + 2 * kBorder) {
-    const FloorGrid& grid = map.grid();
-    const auto size = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(grid.height() + 2 * kBorder);
+  Board(const DriveMap& map, double clearance_weight) : low_(map.box().low), stride_(map.box().width() + 2 * kBorder) {
+    const CellBox& box = map.box();
+    const auto size = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(box.height() + 2 * kBorder);
     weight_.assign(size, 0.0F);
     cost_.assign(size, std::numeric_limits<float>::infinity());
     came_from_.assign(size, kNoMove);
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) {
+    for (int y = box.low.y; y <= box.high.y; ++y) {
+      for (int x = box.low.x; x <= box.high.x; ++x) {
         if (!map.passable({x, y})) continue;
         weight_[at({x, y})] =
             clearance_weight > 0.0 ? weight_at(map.params(), clearance_weight, map.clearance_at(Cell{x, y})) : 1.0F;
@@ -60,7 +60,7 @@ class Board {
   }
 
   [[nodiscard]] std::size_t at(Cell c) const {
-    return static_cast<std::size_t>((c.y + kBorder) * stride_ + c.x + kBorder);
+    return static_cast<std::size_t>((c.y - low_.y + kBorder) * stride_ + c.x - low_.x + kBorder);
   }
 
   /// Costs in cells, until the goal or all is settled.
@@ -107,6 +107,7 @@ class Board {
     return pushed;
   }
 
+  Cell low_;
   int stride_;
   std::vector<float> weight_;  // 0: impassable
   std::vector<float> cost_;
@@ -124,10 +125,10 @@ SearchField search(const DriveMap& map, Cell start, float start_cost_m, const Se
   const std::size_t goal = limits.goal ? board.at(*limits.goal) : 0;  // cell 0 lies in the border
   board.run(board.at(start), start_cost_m / resolution, goal, static_cast<float>(1.0 + limits.clearance_weight));
   SearchField field;
-  field.cost_m.resize(grid.cells().size());
-  field.came_from.resize(grid.cells().size());
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) {
+  field.cost_m.assign(grid.cells().size(), std::numeric_limits<float>::infinity());
+  field.came_from.assign(grid.cells().size(), kNoMove);
+  for (int y = map.box().low.y; y <= map.box().high.y; ++y) {
+    for (int x = map.box().low.x; x <= map.box().high.x; ++x) {
       field.cost_m[grid.index({x, y})] = board.cost({x, y}) * resolution;
       field.came_from[grid.index({x, y})] = board.came_from({x, y});
     }

@@ -14,8 +14,8 @@ class TriangleView {
   /// The grid must outlive the view.
   TriangleView(const FloorGrid& sight, double angle_rad, double height_m);
 
-  /// Indices of the free cells whose centres lie in the triangle and are not hidden, near ones first. The rays begin at
-  /// the centre of the cell in which the apex lies; there is none when that is not free.
+  /// Indices of the free cells whose centres lie in the triangle and are not hidden. The apex is put into the middle of
+  /// its cell; nothing is seen when that is not free.
   [[nodiscard]] const std::vector<std::uint32_t>& from(const Pose2<Map, Base>& T_map_base);
 
  private:
@@ -27,10 +27,13 @@ class TriangleView {
     std::uint16_t first, count;  // directions that the cell takes up
   };
 
+  void look_into(std::size_t sector, Cell apex, float cosine, float sine);
+
   const FloorGrid& sight_;
-  double slope_;  // of the sides of the triangle
-  double height_m_;
-  std::vector<Offset> offsets_;  // near ones first
+  double half_angle_rad_;
+  float slope_;  // of the sides of the triangle
+  float height_m_;
+  std::vector<std::vector<Offset>> sectors_;  // near ones first; a cell is in all sectors that it reaches into
   std::vector<std::uint8_t> shadow_;
   std::vector<std::uint32_t> seen_;
 };
