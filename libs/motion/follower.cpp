@@ -17,7 +17,8 @@ constexpr double kFullSpeed_rad = radians(20);  // of heading error that does no
 constexpr double kKeep_m = 0.02;                // left over in front of something
 constexpr double kSideRange_m = 0.06;           // beyond the stop radius: something there pushes away
 constexpr double kSidePush = 0.5;
-constexpr double kCreep_m_s = 0.02;    // slower is standing
+constexpr double kCreep_m_s = 0.02;  // slower is standing
+constexpr double kStanding_m_s = 2.0 * kCreep_m_s;
 constexpr double kBrake = 0.8;         // part of the acceleration that braking counts on
 constexpr double kNearGain_1_s = 2.5;  // speed for distance, close to the goal
 
@@ -165,54 +166,67 @@ FollowStep Follower::stop(FollowStatus status) {
   return {status, Eigen::Vector2d::Zero(), 0.0, arc_m_.back() - along_m_, 0.0};
 }
 
+/// Where to move, a unit vector of the map frame: to the carrot, pushed aside by what is near on one side.
+Eigen::Vector2d Follower::direction_to(const Eigen::Vector2d& target, const Pose2<Map, Base>& pose,
+                                       std::span<const Eigen::Vector2d> hits_base) const {
+  const Eigen::Vector2d way = target - pose.position();
+  if (way.norm() < 1e-6) return rotated(Eigen::Vector2d::UnitX(), pose.yaw_rad);
+  const Eigen::Vector2d direction = way.normalized();
+  const Eigen::Vector2d away_base = internal::away_from_sides(
+      hits_base, rotated(direction, -pose.yaw_rad), params_.stop_radius_m, params_.stop_radius_m + kSideRange_m);
+  return (direction + kSidePush * rotated(away_base, pose.yaw_rad)).normalized();
+}
+
+/// The wanted speed, or less: it must be able to stop before what lies in the direction, and before what lies where it
+/// is rolling to until the direction has changed.
+Follower::Allowed Follower::allowed_speed(double wanted, const Eigen::Vector2d& direction, const Pose2<Map, Base>& pose,
+                                          const DriveMap& map, std::span<const Eigen::Vector2d> hits_base) const {
+  const double a = params_.acceleration_m_s2;
+  Allowed allowed;
+  allowed.free_m = free_along(pose, direction, map, hits_base);
+  allowed.speed_m_s = std::min(wanted, speed_to_stop_within(allowed.free_m - kKeep_m, a));
+  const double rolling = velocity_map_m_s_.norm();
+  if (rolling <= kStanding_m_s) return allowed;
+  const double rolling_m = free_along(pose, velocity_map_m_s_ / rolling, map, hits_base);
+  const double braking = speed_to_stop_within(rolling_m - kKeep_m, a);
+  if (braking < rolling) allowed.speed_m_s = std::min(allowed.speed_m_s, braking);
+  allowed.free_m = std::min(allowed.free_m, rolling_m);
+  return allowed;
+}
+
 FollowStep Follower::step(const Pose2<Map, Base>& T_map_base, const DriveMap& map,
                           std::span<const Eigen::Vector2d> hits_base, Duration period) {
   assert(!arc_m_.empty());
   const double dt_s = seconds(period);
   const Eigen::Vector2d position = T_map_base.position();
-  if (!position.allFinite() || advance(position) > params_.off_path_m) return stop(FollowStatus::kOffPath);
+  if (!position.allFinite() || !std::isfinite(T_map_base.yaw_rad)) return stop(FollowStatus::kOffPath);
+  if (advance(position) > params_.off_path_m) return stop(FollowStatus::kOffPath);
 
   const double goal_m = (path_.points_m.back() - position).norm();
   const double remaining_m = arc_m_.back() - along_m_;
   const double final_error = wrap_angle(path_.final_yaw_rad - T_map_base.yaw_rad);
   at_goal_ = remaining_m <= kLookAhead_m.back() &&
              goal_m <= (at_goal_ ? 2.0 : 1.0) * params_.position_tolerance_m;  // hysteresis against a noisy pose
-  const bool standing = velocity_map_m_s_.norm() <= 2.0 * kCreep_m_s;
+  const bool standing = velocity_map_m_s_.norm() <= kStanding_m_s;
   if (at_goal_ && standing && std::abs(final_error) <= params_.yaw_tolerance_rad) return stop(FollowStatus::kArrived);
 
-  const Eigen::Vector2d target = carrot(position, map);
   const Eigen::Vector2d ahead = point_at(along_m_ + kLookAhead_m.front()) - position;
   const bool final_turn = std::max(remaining_m, goal_m) <= kFinalTurn_m;
-  const double heading_error =
-      final_turn ? final_error : wrap_angle(std::atan2(ahead.y(), ahead.x()) - T_map_base.yaw_rad);
-  turn_towards(heading_error, dt_s);
+  const double heading_error = wrap_angle(std::atan2(ahead.y(), ahead.x()) - T_map_base.yaw_rad);
+  turn_towards(final_turn ? final_error : heading_error, dt_s);
 
-  const double carrot_m = (target - position).norm();
-  Eigen::Vector2d direction = carrot_m > 1e-6 ? Eigen::Vector2d((target - position) / carrot_m)
-                                              : rotated(Eigen::Vector2d::UnitX(), T_map_base.yaw_rad);
-  const Eigen::Vector2d away =
-      rotated(internal::away_from_sides(hits_base, rotated(direction, -T_map_base.yaw_rad), params_.stop_radius_m,
-                                        params_.stop_radius_m + kSideRange_m),
-              T_map_base.yaw_rad);
-  direction = (direction + kSidePush * away).normalized();
+  const Eigen::Vector2d target = carrot(position, map);
+  const Eigen::Vector2d direction = direction_to(target, T_map_base, hits_base);
+  const double wanted =
+      at_goal_ ? 0.0 : wanted_speed(position, map, final_turn ? 0.0 : heading_error, (target - position).norm());
+  const Allowed allowed = allowed_speed(wanted, direction, T_map_base, map, hits_base);
+  move_with(allowed.speed_m_s * direction, dt_s);
 
-  const double wanted = at_goal_ ? 0.0 : wanted_speed(position, map, final_turn ? 0.0 : heading_error, carrot_m);
-  double free_m = free_along(T_map_base, direction, map, hits_base);
-  double allowed = std::min(wanted, speed_to_stop_within(free_m - kKeep_m, params_.acceleration_m_s2));
-  if (!standing) {
-    // Where it is rolling to now counts as well, until the direction has changed.
-    const double rolling_m = free_along(T_map_base, velocity_map_m_s_.normalized(), map, hits_base);
-    const double braking = speed_to_stop_within(rolling_m - kKeep_m, params_.acceleration_m_s2);
-    if (braking < velocity_map_m_s_.norm()) allowed = std::min(allowed, braking);
-    free_m = std::min(free_m, rolling_m);
-  }
-  move_with(allowed * direction, dt_s);
-
-  const bool held = wanted > kCreep_m_s && allowed <= kCreep_m_s;
+  const bool held = wanted > kCreep_m_s && allowed.speed_m_s <= kCreep_m_s;
   blocked_s_ = held ? blocked_s_ + dt_s : 0.0;
   if (blocked_s_ > params_.blocked_after_s) return stop(FollowStatus::kBlocked);
   return {FollowStatus::kDriving, rotated(velocity_map_m_s_, -T_map_base.yaw_rad), yaw_rate_rad_s_, remaining_m,
-          free_m};
+          allowed.free_m};
 }
 
 }  // namespace amiss::motion

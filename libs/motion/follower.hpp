@@ -57,6 +57,13 @@ class Follower {
                                     double carrot_m) const;
   [[nodiscard]] double free_along(const Pose2<Map, Base>& pose, const Eigen::Vector2d& direction_map,
                                   const DriveMap& map, std::span<const Eigen::Vector2d> hits_base) const;
+  [[nodiscard]] Eigen::Vector2d direction_to(const Eigen::Vector2d& target, const Pose2<Map, Base>& pose,
+                                             std::span<const Eigen::Vector2d> hits_base) const;
+  struct Allowed {
+    double speed_m_s = 0.0, free_m = 0.0;
+  };
+  [[nodiscard]] Allowed allowed_speed(double wanted, const Eigen::Vector2d& direction, const Pose2<Map, Base>& pose,
+                                      const DriveMap& map, std::span<const Eigen::Vector2d> hits_base) const;
   void turn_towards(double yaw_error_rad, double dt_s);
   void move_with(const Eigen::Vector2d& velocity_map, double dt_s);
   FollowStep stop(FollowStatus status);

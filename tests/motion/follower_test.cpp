@@ -144,7 +144,8 @@ TEST(Follower, SaysWhenItIsPushedOffThePath) {
   EXPECT_EQ(follower.step({1.5, 1.1, 0.0}, map, {}, period).status, FollowStatus::kDriving);
   EXPECT_EQ(follower.step({1.5, 1.6, 0.0}, map, {}, period).status, FollowStatus::kOffPath);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(follower.step({nan, 1.6, 0.0}, map, {}, period).status, FollowStatus::kOffPath);
+  EXPECT_EQ(follower.step({nan, 1.1, 0.0}, map, {}, period).status, FollowStatus::kOffPath);
+  EXPECT_EQ(follower.step({1.5, 1.1, nan}, map, {}, period).status, FollowStatus::kOffPath);
 }
 
 TEST(Follower, OnlyTurnsWhenTheGoalIsHere) {
