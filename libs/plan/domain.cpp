@@ -27,8 +27,10 @@ class DomainReader {
 
   Domain read(const Sexpr& whole) {
     read_name(whole);
+    for (const Sexpr& item : whole.items) {
+      if (item.head() == ":requirements") check_requirements(item);
+    }
     for (std::size_t i = 2; i < whole.items.size(); ++i) check_section(whole.items[i]);
-    for_each(":requirements", [&](const Sexpr& section) { check_requirements(section); });
     read_types();
     for_each(":constants",
              [&](const Sexpr& section) { read_objects(section, 1, vocabulary_, source_, domain_.constants); });
