@@ -37,8 +37,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try_to([&] {
     const Domain domain = parse_domain(domain_text.empty() ? kDomain : domain_text, "domain");
     const Problem problem = parse_problem(rest.substr(0, second), domain, "problem");
-    const auto solution = solve(domain, problem, {.max_ground_actions = 200, .max_evaluated_states = 200,
-                                                  .improvement_states = 5000});
+    const auto solution =
+        solve(domain, problem, {.max_ground_actions = 200, .max_evaluated_states = 200, .improvement_states = 5000});
     if (solution && !validate(domain, problem, solution->plan)) __builtin_trap();
   });
   try_to([&] {
