@@ -21,11 +21,13 @@ constexpr double kMinMotionXyM = 0.004;  // noise of the motion model at rest ke
 constexpr double kMinMotionYawRad = radians(0.15);
 constexpr double kTempering = 0.25;  // exponent of the likelihood: beams are not independent
 constexpr int kRefineBeams = 240;
-constexpr double kPriorSigmaXyM = 0.03;  // least deviation that the filter is trusted with
-constexpr double kPriorSigmaYawRad = radians(1.5);
-constexpr double kCorrectionGain = 0.5;  // part of a correction that one scan applies
-constexpr double kJumpM = 0.2;           // corrections beyond are applied at once
-constexpr int kLostScans = 10;           // that do not fit in a row, then the particles spread
+constexpr double kPriorSigmaXyM = 0.06;  // least deviation that the filter is trusted with
+constexpr double kPriorSigmaYawRad = radians(2.0);
+constexpr double kCorrectionGain = 0.5;   // part of a correction that a scan applies,
+constexpr double kFullCorrectionM = 0.1;  // all of it where the robot drove or turned so far since the last one
+constexpr double kFullCorrectionRad = 0.2;
+constexpr double kJumpM = 0.2;  // corrections beyond are applied at once
+constexpr int kLostScans = 10;  // that do not fit in a row, then the particles spread
 constexpr int kMaxSpreads = 5;
 constexpr double kLostSpreadM = 0.3;
 
@@ -131,6 +133,7 @@ Pose2<Map, Base> Localizer::State::filtered(const Odometry& odometry, const Lase
 
 void Localizer::State::correct(const Odometry& odometry, const LaserScan& scan,
                                const Transform<Base, Laser>& T_base_laser) {
+  const Pose2<Base, Base> moved = T_odom_base_filter.inverse() * odometry.T_odom_base;
   Pose2<Map, Base> pose = filtered(odometry, scan, T_base_laser);
   const auto points_base = internal::points_of(scan, T_base_laser, kRefineBeams);
   if (params.refine) {
@@ -144,7 +147,8 @@ void Localizer::State::correct(const Odometry& odometry, const LaserScan& scan,
 
   const Pose2<Map, Base> predicted = T_map_odom * odometry.T_odom_base;
   const bool jump = (pose.position() - predicted.position()).norm() > kJumpM;
-  const double gain = jump || evidence.scans == 1 ? 1.0 : kCorrectionGain;
+  const double far = std::max(moved.position().norm() / kFullCorrectionM, std::abs(moved.yaw_rad) / kFullCorrectionRad);
+  const double gain = jump || evidence.scans == 1 ? 1.0 : std::clamp(far, kCorrectionGain, 1.0);
   const Pose2<Map, Base> corrected{predicted.x_m + gain * (pose.x_m - predicted.x_m),
                                    predicted.y_m + gain * (pose.y_m - predicted.y_m),
                                    wrap_angle(predicted.yaw_rad + gain * wrap_angle(pose.yaw_rad - predicted.yaw_rad))};

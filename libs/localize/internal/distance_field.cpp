@@ -6,7 +6,7 @@ namespace amiss::localize::internal {
 
 namespace {
 
-constexpr int kIterations = 6;
+constexpr int kIterations = 12;
 constexpr double kKernelM = 0.06;     // width of the robust weight
 constexpr double kPointSigmaM = 0.1;  // of one point; wide, because neighbours share the errors of the map
 
