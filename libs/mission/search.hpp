@@ -36,6 +36,7 @@ class Search {
   SearchReport run();
 
   [[nodiscard]] const mapping::VoxelMap& voxels() const { return perception_.voxels(); }
+  [[nodiscard]] const FloorGrid& seen_floor() { return perception_.obstacles().seen_floor(); }
 
  private:
   enum class Progress { kDone, kReplan, kEnded };

@@ -1,7 +1,9 @@
 #include "report/tidy_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
@@ -88,26 +90,20 @@ std::string to_json(const TidyReport& report, std::string_view artefacts) {
 }
 
 std::string to_table(const TidyReport& report) {
-  std::string table;
-  char line[256];
-  const auto add = [&](auto... values) {
-    std::snprintf(line, sizeof line, values...);
-    table += line;
-  };
-  table += "object                 found     after      error    where (world)\n";
+  std::string table =
+      fmt::format("{:<24}{:<7}{:>10}{:>11}   {}\n", "object", "found", "after", "error", "where (world)");
   for (const ReportedObject& o : report.objects) {
-    if (o.found) {
-      add("%-22s yes    %6.0f s   %6.3f m    (%.2f, %.2f)\n", o.name.c_str(), o.found_at_s, o.error_m, o.position_m.x(),
-          o.position_m.y());
-    } else {
-      add("%-22s no          -          -    (%.2f, %.2f)\n", o.name.c_str(), o.position_m.x(), o.position_m.y());
-    }
+    const std::string after = o.found ? fmt::format("{:.0f} s", o.found_at_s) : "-";
+    const std::string error = o.covered ? fmt::format("{:.3f} m", o.error_m) : "-";
+    table += fmt::format("{:<24}{:<7}{:>10}{:>11}   ({:.2f}, {:.2f})\n", o.name, o.found ? "yes" : "no", after, error,
+                         o.position_m.x(), o.position_m.y());
   }
-  add("%d of %zu found: %s, %d segmentations, %d regions (%d false), %zu collisions\n", report.found(),
-      report.objects.size(), report.outcome.c_str(), report.segmentation_actions, report.regions_detected,
-      report.regions_false, report.collisions.size());
-  add("%.0f m driven in %.0f s (simulated), %.1f s on the clock: %.0f times real time\n", report.distance_m,
-      report.simulated_s, report.wall_s, report.wall_s > 0.0 ? report.simulated_s / report.wall_s : 0.0);
+  table += fmt::format("{} of {} found ({}), {} segmentations, {} regions ({} false), {} collisions\n", report.found(),
+                       report.objects.size(), report.outcome, report.segmentation_actions, report.regions_detected,
+                       report.regions_false, report.collisions.size());
+  table += fmt::format("{:.0f} m driven in {:.0f} s (simulated), {:.1f} s on the clock: {:.0f} times real time\n",
+                       report.distance_m, report.simulated_s, report.wall_s,
+                       report.wall_s > 0.0 ? report.simulated_s / report.wall_s : 0.0);
   return table;
 }
 

@@ -3,8 +3,10 @@
 for it a hull for the physics. Run it without arguments after a change in make/; the outputs are kept beside it.
 Needs nothing but Python 3; the same files come out on every machine."""
 import pathlib
+import sys
 
-from make import boxes, food, kitchen, model, tools, toys
+sys.dont_write_bytecode = True
+from make import boxes, food, kitchen, model, tools, toys  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 MOST_TRIANGLES = 3000

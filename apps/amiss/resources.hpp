@@ -1,0 +1,23 @@
+// Where the program's own files are: worlds, the robot, objects, the planning domain.
+// $AMISS_SHARE, else ../share/amiss beside an installed program, else the source tree that it was built from.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace amiss::app {
+
+struct Resources {
+  std::filesystem::path worlds, robot, objects, pddl;
+};
+[[nodiscard]] Resources find_resources();
+
+/// The file of a world given by name or path; ArgumentError with the nearest name, InputError for a missing file.
+[[nodiscard]] std::filesystem::path find_world(const Resources& resources, const std::string& name_or_file);
+[[nodiscard]] std::vector<std::string> world_names(const Resources& resources);
+
+/// Of the user: $XDG_CACHE_HOME/amiss, ~/.cache/amiss, or a folder in the temporary one.
+[[nodiscard]] std::filesystem::path cache_folder();
+
+}  // namespace amiss::app

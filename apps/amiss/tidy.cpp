@@ -1,0 +1,59 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "tidy_run.hpp"
+
+namespace amiss::app {
+
+void add_tidy_command(CLI::App& app, int& exit_status) {
+  struct Arguments {
+    TidyOptions options;
+    int objects = -1;
+    std::string until = "found", params_file;
+    std::vector<std::string> overrides;
+    bool json = false, print_params = false;
+  };
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* tidy = app.add_subcommand("tidy", "search a flat for what lies on its floor and did not lie there before");
+  tidy->add_option("--world", a->options.world, "name (see `amiss worlds`) or SDF file")->capture_default_str();
+  tidy->add_option("--reference-world", a->options.reference_world, "SDF file of the tidy state, if it is another one");
+  tidy->add_option("--objects", a->objects, "how many objects are scattered [5]")->check(CLI::Range(0, 100));
+  tidy->add_option("--scatter", a->options.scatter_file, "YAML file that says what lies where instead");
+  tidy->add_option("--seed", a->options.seed, "of everything random")->capture_default_str();
+  tidy->add_option("--until", a->until, "end when all was found (the referee tells) or when the robot has seen all")
+      ->check(CLI::IsMember({"found", "explored"}))
+      ->capture_default_str();
+  tidy->add_option("--time-limit", a->options.time_limit_s, "simulated seconds")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
+  tidy->add_option("--params", a->params_file, "YAML file of parameters");
+  tidy->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated");
+  tidy->add_option("--out", a->options.out, "run folder [runs/tidy-WORLD-SEED]");
+  tidy->add_option("--robot", a->options.robot, "URDF file of another robot");
+  tidy->add_option("--model-path", a->options.model_paths, "folder searched for model:// names; may be repeated");
+  tidy->add_option("--threads", a->options.threads, "1 or 2; the result is the same")->check(CLI::Range(1, 2));
+  tidy->add_flag("--json", a->json, "print report.json and nothing else on standard output");
+  tidy->add_flag("--quiet", a->options.quiet, "no progress, no table");
+  tidy->add_flag("--print-params", a->print_params, "print all parameters with ranges and meanings, and end");
+  tidy->callback([a, &exit_status] {
+    Settings settings = load_settings(a->params_file, a->overrides);
+    if (a->print_params) {
+      std::cout << settings.table().to_yaml();
+      return;
+    }
+    a->options.until_found = a->until == "found";
+    if (a->objects >= 0) a->options.objects = a->objects;
+    const TidyOutcome outcome = run_tidy(a->options, std::move(settings));
+    exit_status = outcome.exit_status;
+    if (a->json) {
+      std::cout << outcome.json;
+    } else if (!a->options.quiet) {
+      std::cout << report::to_table(outcome.report) << "run folder: " << outcome.folder << "\n";
+    }
+    std::cout.flush();
+  });
+}
+
+}  // namespace amiss::app

@@ -1,0 +1,183 @@
+#include "tidy_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <set>
+
+#include "commands.hpp"
+#include "core/files.hpp"
+#include "interrupt.hpp"
+#include "mapping/voxel_files.hpp"
+#include "mission/search.hpp"
+#include "progress_line.hpp"
+#include "reference_cache.hpp"
+#include "report/run_folder.hpp"
+#include "resources.hpp"
+#include "tidy_observer.hpp"
+#include "world/catalogue.hpp"
+
+namespace amiss::app {
+
+namespace {
+
+double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+void tell_warnings(const world::World& world, bool quiet) {
+  constexpr std::size_t kShown = 3;
+  if (quiet) return;
+  for (std::size_t i = 0; i < std::min(kShown, world.warnings.size()); ++i) {
+    std::cerr << "amiss: warning: " << world.warnings[i] << "\n";
+  }
+  if (world.warnings.size() > kShown) {
+    std::cerr << "amiss: " << world.warnings.size() - kShown << " more warnings about " << world.file.string() << "\n";
+  }
+}
+
+/// Everything that a run starts from.
+struct Scene {
+  Resources resources = find_resources();
+  world::World reference_world, world;
+  robot::Model model;
+  Pose2<World, Base> start;
+};
+
+Scene load_scene(const TidyOptions& options, const Settings& settings) {
+  Scene scene;
+  world::LoadOptions load = settings.world;
+  for (const std::string& path : options.model_paths) load.model_paths.emplace_back(path);
+  scene.world = world::load_world(find_world(scene.resources, options.world), load);
+  tell_warnings(scene.world, options.quiet);
+  scene.reference_world = options.reference_world.empty()
+                              ? scene.world
+                              : world::load_world(find_world(scene.resources, options.reference_world), load);
+  scene.model = robot::load_model(options.robot.empty() ? scene.resources.robot : std::filesystem::path(options.robot));
+  scene.start = scene.reference_world.robot_start ? *scene.reference_world.robot_start
+                                                  : sim::free_start(scene.reference_world, scene.model);
+  return scene;
+}
+
+std::vector<sim::ScatteredObject> choose_objects(const TidyOptions& options, const Settings& settings,
+                                                 const Scene& scene, const world::Catalogue& catalogue) {
+  if (!options.scatter_file.empty()) return sim::load_scatter(options.scatter_file, catalogue);
+  const int count = options.objects.value_or(options.reference_world.empty() ? 5 : 0);
+  if (count == 0) return {};
+  return sim::scatter(count, catalogue, scene.world, scene.model, scene.start, RandomStream(options.seed, "scatter"),
+                      settings.scatter);
+}
+
+/// What is to be found: what was scattered, and bodies of today's world that the reference world does not have.
+std::vector<world::ObjectTruth> placed_objects(const Scene& scene, const std::vector<sim::ScatteredObject>& scattered,
+                                               const world::Truth& truth) {
+  std::set<std::string> wanted;
+  for (const sim::ScatteredObject& object : scattered) wanted.insert(object.name);
+  std::set<std::string> known;
+  for (const world::Body& body : scene.reference_world.bodies) known.insert(body.name);
+  for (const world::Body& body : scene.world.bodies) {
+    if (!known.contains(body.name)) wanted.insert(body.name);
+  }
+  std::vector<world::ObjectTruth> placed;
+  std::copy_if(truth.objects.begin(), truth.objects.end(), std::back_inserter(placed),
+               [&](const world::ObjectTruth& o) { return wanted.contains(o.name); });
+  return placed;
+}
+
+std::string outcome_of(const mission::SearchReport& search, const TidyOptions& options, const score::Referee& referee) {
+  if (interrupted()) return "interrupted";
+  if (options.until_found && referee.all_found()) return "found";
+  return std::string(mission::to_string(search.end));
+}
+
+int exit_status_of(const std::string& outcome, const TidyOptions& options) {
+  if (outcome == "interrupted") return kInterrupted;
+  return outcome == (options.until_found ? "found" : "explored") ? kGoalMet : kGoalNotMet;
+}
+
+}  // namespace
+
+TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
+  catch_interrupts();
+  double begin = wall_s();
+  const Scene scene = load_scene(options, settings);
+  const world::Catalogue catalogue = world::load_catalogue({scene.resources.objects}, settings.world);
+  const auto scattered = choose_objects(options, settings, scene, catalogue);
+
+  const std::string stem = "tidy-" + scene.world.file.stem().string() + "-" + std::to_string(options.seed);
+  const report::RunFolder folder(options.out.empty() ? report::unused_folder("runs", stem)
+                                                     : std::filesystem::path(options.out));
+  folder.save("params.yaml", settings.table().to_yaml());
+  settings.mission.perception.time_limit_s = options.time_limit_s;
+
+  ProgressLine progress(!options.quiet);
+  mission::Sinks mapping_sinks;
+  mapping_sinks.stop = interrupted;
+  mapping_sinks.progress = [&](const mission::ProgressEvent& event) { progress.show(event, "mapping"); };
+  const MappingInput mapping{scene.reference_world, scene.model, scene.start};
+  const double before_mapping = wall_s();
+  const auto prepared = cached_reference(mapping, settings, options.threads > 1, mapping_sinks, [&] {
+    if (!options.quiet) std::cerr << "amiss: mapping " << scene.reference_world.file.stem().string() << " once\n";
+  });
+  begin += wall_s() - before_mapping;  // the mapping run is not part of the search
+  progress.clear();
+
+  TidyOutcome outcome;
+  outcome.folder = folder.path().string();
+  report::TidyReport& report = outcome.report;
+  report.version = AMISS_VERSION;
+  report.world = options.reference_world.empty() ? scene.world.name : scene.world.file.stem().string();
+  report.seed = options.seed;
+  report.method = "dynamic";
+  if (!prepared) {
+    report.outcome = "interrupted";
+    outcome.exit_status = interrupted() ? kInterrupted : kGoalNotMet;
+    outcome.json = report::to_json(report, "");
+    folder.interrupt(outcome.json);
+    return outcome;
+  }
+
+  Worker worker(options.threads > 1);
+  sim::Simulator simulator(scene.world, scene.model, settings.simulator, options.seed, scene.start, worker);
+  for (const sim::ScatteredObject& object : scattered) {
+    world::Body body = catalogue.at(object.kind).body;
+    body.name = object.name;
+    simulator.add_object(body, object.pose, object.kind);
+  }
+  Transform<World, Map> T_world_map = prepared->T_world_map.lift();
+  T_world_map.T.translate(Eigen::Vector3d(0.0, 0.0, settings.mission.perception.floor_clearance_m));
+  score::Referee referee(placed_objects(scene, scattered, simulator.truth()), T_world_map, settings.referee);
+  if (options.until_found && referee.verdicts().empty()) {
+    throw ArgumentError("--until found: there is nothing to be found; place objects or use --until explored");
+  }
+
+  TidyObserver observer(simulator, referee, folder, progress);
+  const mission::Sinks sinks = observer.sinks(options.until_found);
+  const plan::Domain domain = plan::load_domain(scene.resources.pddl / "search.pddl");
+  folder.save("plans/domain.pddl", load_bytes(scene.resources.pddl / "search.pddl"));
+  knowledge::KnowledgeBase knowledge(folder.path() / "knowledge.sqlite", settings.mission.knowledge);
+  mission::Search search(simulator, prepared->reference, knowledge, domain, settings.mission, options.seed,
+                         options.until_found, sinks);
+  const mission::SearchReport result = search.run();
+  knowledge.close();
+  progress.clear();
+
+  report.outcome = outcome_of(result, options, referee);
+  observer.fill(report, result, knowledge.now(), prepared->T_world_map);
+  const std::string map_bytes = mapping::voxel_map_bytes(search.voxels(), mapping::VoxelFormat::kOt);
+  folder.save("current.ot", map_bytes);
+  folder.save("map.png", observer.floor_plan(prepared->reference.floor, search.seen_floor(), knowledge.now(),
+                                             prepared->T_world_map));
+  folder.save("log.txt", observer.log());
+  report.wall_s = wall_s() - begin;
+  outcome.json = report::to_json(report, map_bytes + observer.save_trajectories());
+  outcome.exit_status = exit_status_of(report.outcome, options);
+  if (report.outcome == "interrupted") {
+    folder.interrupt(outcome.json);
+  } else {
+    folder.finish(outcome.json);
+  }
+  return outcome;
+}
+
+}  // namespace amiss::app

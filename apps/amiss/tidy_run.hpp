@@ -1,0 +1,37 @@
+// One tidy-up run from worlds to run folder: everything that `amiss tidy` does once its arguments are read.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/tidy_report.hpp"
+#include "settings.hpp"
+
+namespace amiss::app {
+
+struct TidyOptions {
+  std::string world = "flat_90";
+  std::string reference_world;  // where it is not the same
+  std::optional<int> objects;   // to scatter; 5 where nothing else is said
+  std::string scatter_file;
+  std::uint64_t seed = 1;
+  bool until_found = true;
+  double time_limit_s = 3600.0;
+  std::string out;
+  std::string robot;  // URDF file
+  std::vector<std::string> model_paths;
+  int threads = 2;
+  bool quiet = false;
+};
+
+struct TidyOutcome {
+  report::TidyReport report;
+  std::string json;
+  std::string folder;
+  int exit_status = 0;
+};
+
+[[nodiscard]] TidyOutcome run_tidy(const TidyOptions& options, Settings settings);
+
+}  // namespace amiss::app
