@@ -28,7 +28,7 @@ struct DepthNoiseParams {
   double edge_jump = 0.03;      // a relative jump of depth between neighbours that is an edge
   double edge_loss = 0.4;       // probability that a pixel at an edge has no depth
   double random_loss = 0.002;   // probability anywhere
-  double least_signal = 0.002;  // reflectance * cos(incidence) / z^2 [1/m^2] below which half of the pixels are lost
+  double least_signal = 0.001;  // reflectance * cos(incidence) / z^2 [1/m^2] below which half of the pixels are lost
   double colour_sigma = 2.5;    // of each channel, 0 .. 255
 };
 void describe(ParamTable& table, DepthNoiseParams& params);

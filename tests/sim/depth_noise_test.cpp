@@ -102,7 +102,7 @@ TEST(DepthNoise, DarkAndShinySurfacesDropOutWithDistance) {
   EXPECT_GT(lost(3.0, 2), 0.5);
   EXPECT_EQ(lost(1.0, 0), 1.0);
   // Half are lost at the least signal: reflectance 4 of 255 at cos(30 deg) / z^2.
-  EXPECT_NEAR(lost(std::sqrt(4.0 / 255.0 * std::cos(radians(30)) / 0.002), 4), 0.5, 0.03);
+  EXPECT_NEAR(lost(std::sqrt(4.0 / 255.0 * std::cos(radians(30)) / 0.001), 4), 0.5, 0.03);
 }
 
 /// A post in front of a wall, columns [150, 180) of the picture.
