@@ -50,7 +50,7 @@ Segment segment_of(const Piece& piece, const Window& window, const internal::Rel
   segment.mean_colour = {static_cast<std::uint8_t>(colour.x()), static_cast<std::uint8_t>(colour.y()),
                          static_cast<std::uint8_t>(colour.z())};
   segment.cut = piece.at_image_border || piece.contact_m > kCutContactM;
-  const internal::Extent extent = internal::extent_of(segment.cloud.points, ground, window.camera_map.cast<double>());
+  const internal::Extent extent = internal::extent_of(segment.cloud.points, ground);
   segment.centre_map = extent.centre_map;
   segment.size_m = extent.size_m;
   segment.yaw_rad = extent.yaw_rad;

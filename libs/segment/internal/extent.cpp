@@ -45,8 +45,7 @@ Rectangle rectangle_at(const std::vector<Eigen::Vector2d>& points, double angle_
 
 }  // namespace
 
-Extent extent_of(const std::vector<Eigen::Vector3f>& points_map, const Plane& ground,
-                 const Eigen::Vector3d& camera_map) {
+Extent extent_of(const std::vector<Eigen::Vector3f>& points_map, const Plane& ground) {
   const std::size_t step = points_map.size() / kMaxPoints + 1;
   std::vector<Eigen::Vector2d> footprint;
   std::vector<double> heights;
@@ -75,7 +74,6 @@ Extent extent_of(const std::vector<Eigen::Vector3f>& points_map, const Plane& gr
   extent.size_m = {std::max(length, width), std::min(length, width), height};
   const double yaw_rad = length >= width ? best.angle_rad : best.angle_rad + radians(90.0);
   extent.yaw_rad = yaw_rad > radians(90.0) ? yaw_rad - radians(180.0) : yaw_rad;
-  (void)camera_map;
   return extent;
 }
 
