@@ -77,7 +77,7 @@ void Differencer::start_afresh() {
   blocks_.clear();
   unseen_in_.assign(reference_.values().blocks().size(), 0);
   const VoxelMap nothing(reference_.params());
-  for (const ValueBlock& block : reference_.values().blocks()) compare_block(nothing, block.key);
+  for (std::uint32_t slot = 0; slot < unseen_in_.size(); ++slot) compare_block(nothing, slot);
   gather();
 }
 
@@ -85,18 +85,32 @@ const Difference& Differencer::update(const VoxelMap& current) {
   require_same_resolution(reference_, current);
   if (current.revision() < revision_) start_afresh();
   if (current.revision() == revision_) return latest_;
-  for (const BlockKey& key : mapping::with_neighbours(current.blocks_changed_since(revision_))) {
-    compare_block(current, key);
-  }
+  for (const std::uint32_t slot : slots_to_compare(current)) compare_block(current, slot);
   revision_ = current.revision();
   gather();
   return latest_;
 }
 
-void Differencer::compare_block(const VoxelMap& current, BlockKey key) {
-  const std::uint32_t slot = reference_.values().find(key);
-  if (slot == VoxelBlocks::kNone) return;  // where the reference is unknown nothing is said
+std::vector<std::uint32_t> Differencer::slots_to_compare(const VoxelMap& current) const {
+  // What vanished depends on the neighbours in x and y as well. Where the reference is unknown nothing is said.
+  std::vector<std::uint32_t> slots;
+  std::vector<bool> listed(unseen_in_.size(), false);
+  for (const ValueBlock& block : current.values().blocks()) {
+    if (block.revision <= revision_) continue;
+    for (int i = 0; i < 9; ++i) {
+      const std::uint32_t slot =
+          reference_.values().find({block.key.x + i % 3 - 1, block.key.y + i / 3 - 1, block.key.z});
+      if (slot == VoxelBlocks::kNone || listed[slot]) continue;
+      listed[slot] = true;
+      slots.push_back(slot);
+    }
+  }
+  return slots;
+}
+
+void Differencer::compare_block(const VoxelMap& current, std::uint32_t slot) {
   const ValueBlock& then = reference_.values().blocks()[slot];
+  const BlockKey key = then.key;
   static const ValueBlock kUnknown;
   const ValueBlock* found = current.values().block(key);
   const ValueBlock& now = found != nullptr ? *found : kUnknown;
@@ -118,7 +132,7 @@ void Differencer::compare_block(const VoxelMap& current, BlockKey key) {
     for (std::uint64_t& word : d.appeared) word &= clear;
   }
   if (d.empty()) {
-    blocks_.erase(key);
+    if (!blocks_.empty()) blocks_.erase(key);
   } else {
     blocks_[key] = d;
   }

@@ -49,8 +49,9 @@ class Differencer {
     [[nodiscard]] bool empty() const;
   };
   void start_afresh();
-  void compare_block(const mapping::VoxelMap& current, mapping::BlockKey key);
-  [[nodiscard]] std::uint64_t clear_columns(int block_x, int block_y);  // of the grid, cached
+  [[nodiscard]] std::vector<std::uint32_t> slots_to_compare(const mapping::VoxelMap& current) const;
+  void compare_block(const mapping::VoxelMap& current, std::uint32_t slot);  // slot of the reference
+  [[nodiscard]] std::uint64_t clear_columns(int block_x, int block_y);       // of the grid, cached
   void gather();
 
   mapping::VoxelMap reference_;

@@ -89,7 +89,10 @@ void insert_plain(octomap::OcTree& tree, const Recording& r, const VoxelMapParam
 void insert_octomap(benchmark::State& state, bool discretized) {
   const Recording& r = recording();
   const VoxelMapParams params = params_of("blocks", static_cast<int>(state.range(0)));
-  VoxelMap ours(params);
+  VoxelMapParams any_hit = params;  // OctoMap's rule, so that the maps can be compared
+  any_hit.min_end_points = 1;
+  any_hit.min_end_fraction = 0.0;
+  VoxelMap ours(any_hit);
   for (std::size_t i = 0; i < r.frames.size(); ++i) ours.insert(r.frames[i], r.poses[i]);
   for (auto _ : state) {
     octomap::OcTree tree(params.resolution_m);
