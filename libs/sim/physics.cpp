@@ -16,6 +16,7 @@ void describe(ParamTable& table, PhysicsParams& params) {
 Physics::Physics(const world::World& world, const PhysicsParams& params) : impl_(std::make_unique<Impl>(params)) {
   impl_->bodies.reserve(world.bodies.size());
   for (const world::Body& body : world.bodies) add(body);
+  impl_->rest_what_is_wedged();
 }
 Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
@@ -63,7 +64,7 @@ void Physics::step(Duration dt) {
   if (all_asleep()) return;
   const int steps = std::max(1, static_cast<int>(std::ceil(seconds(dt) / impl_->params.step_s - 1e-9)));
   for (int i = 0; i < steps; ++i) impl_->substep(seconds(dt) / steps);
-  impl_->read_poses();
+  impl_->read_poses(seconds(dt));
 }
 
 std::size_t Physics::body_count() const { return impl_->bodies.size(); }

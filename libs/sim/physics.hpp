@@ -1,7 +1,7 @@
 // Rigid bodies of a world: things fall, roll, rest, are pushed and fall asleep (Bullet, fixed step).
 // World -> poses of its bodies in the world frame, one step after the other; the same calls give the same bytes.
 // Static meshes collide as triangles, meshes of moving bodies as their convex hull. A body without collision shapes
-// stays where it is put.
+// stays where it is put; what overlaps fixed things from the start (a drawer in its frame) rests until it is touched.
 #pragma once
 
 #include <cstdint>

@@ -221,7 +221,7 @@ void RobotBody::Impl::push(const RobotState& from, const RobotState& to, Duratio
     physics.substep(seconds(dt) / steps);
     collect(touches);
   }
-  physics.read_poses();
+  physics.read_poses(seconds(dt));
 }
 
 void RobotBody::Impl::collect(std::map<std::string, Touch>& touches) {

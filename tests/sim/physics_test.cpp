@@ -100,6 +100,19 @@ TEST(Physics, WhatStoodOnSomethingFallsWhenThatIsGone) {
   EXPECT_NEAR(physics.pose(6).position().x(), 1.0, 0.002);
 }
 
+TEST(Physics, WhatIsWedgedInFixedThingsRestsUntilItIsMoved) {
+  world::World world = test::room(4, 4);
+  world.bodies.push_back(block("frame", {0.5, 0.5, 0.5}, {2, 2, 0.25}));
+  world.bodies.push_back(block("drawer", {0.4, 0.6, 0.2}, {2, 1.9, 0.3}, false));
+  Physics physics(world);
+  EXPECT_TRUE(physics.all_asleep());
+  let_pass(physics, 1.0);
+  EXPECT_EQ(physics.pose(6).position(), Eigen::Vector3d(2, 1.9, 0.3));
+  physics.place(6, test::at(1, 1, 0.3));
+  let_pass(physics, 3.0);
+  EXPECT_NEAR(physics.pose(6).position().z(), 0.1, 0.002);
+}
+
 TEST(Physics, DistanceToFurnitureIsThatOfTheSurfaces) {
   world::World world = test::room(4, 4);
   world.bodies.push_back(block("box", {0.1, 0.2, 0.1}, {0.35, 2, 0.05}, false));

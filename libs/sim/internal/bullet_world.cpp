@@ -7,6 +7,11 @@ constexpr int kStaticGroup = btBroadphaseProxy::StaticFilter;
 constexpr int kMovingGroup = btBroadphaseProxy::DefaultFilter;
 constexpr double kSleepSpeed_m_s = 0.05, kSleepRate_rad_s = 0.5;
 
+// What stays so near to one place for so long is at rest, whatever its speed.
+constexpr double kStill_m = 0.005, kStill_rad = 0.05, kStillFor_s = 2.0;
+
+constexpr double kWedged_m = 0.003;
+
 /// Bullet's callback for closest points, forwarded with the probe first.
 struct NearCallback : btCollisionWorld::ContactResultCallback {
   NearCallback(const btCollisionObject& probe, double limit_m) : probe_(probe) { m_closestDistanceThreshold = limit_m; }
@@ -187,15 +192,48 @@ void Physics::Impl::wake_around(const BodyEntry& entry) {
 
 void Physics::Impl::substep(double dt_s) { bullet.stepSimulation(dt_s, 0); }
 
-void Physics::Impl::read_poses() {
+void Physics::Impl::read_poses(double elapsed_s) {
   for (const std::size_t index : movable) {
     BodyEntry& entry = bodies[index];
-    if (entry.solids.empty() || !entry.solids[0].rigid->isActive()) continue;
+    if (!entry.solids[0].rigid->isActive()) {
+      entry.still_s = 0.0;
+      continue;
+    }
     const Solid& solid = entry.solids[0];
     const Eigen::Isometry3d T = internal::from_bullet(solid.rigid->getWorldTransform()) * solid.T_body_solid.inverse();
-    if (T.matrix() == entry.pose.T.matrix()) continue;
-    entry.pose.T = T;
-    ++entry.revision;
+    if (T.matrix() != entry.pose.T.matrix()) {
+      entry.pose.T = T;
+      ++entry.revision;
+    }
+    still_to_sleep(entry, elapsed_s);
+  }
+}
+
+/// A drawer that trembles in its frame would never rest by Bullet's own measure, the speed.
+void Physics::Impl::still_to_sleep(BodyEntry& entry, double elapsed_s) {
+  const double turned_rad = Eigen::AngleAxisd(entry.still_at.linear().transpose() * entry.pose.T.linear()).angle();
+  const double moved_m = (entry.still_at.translation() - entry.pose.T.translation()).norm();
+  entry.still_s += elapsed_s;
+  if (moved_m > kStill_m || turned_rad > kStill_rad) {
+    entry.still_at = entry.pose.T;
+    entry.still_s = 0.0;
+  }
+  if (entry.still_s < kStillFor_s) return;
+  btRigidBody& rigid = *entry.solids[0].rigid;
+  rigid.setLinearVelocity({0, 0, 0});
+  rigid.setAngularVelocity({0, 0, 0});
+  rigid.forceActivationState(ISLAND_SLEEPING);
+  entry.still_s = 0.0;
+}
+
+void Physics::Impl::rest_what_is_wedged() {
+  for (const std::size_t index : movable) {
+    btRigidBody& rigid = *bodies[index].solids[0].rigid;
+    bool is_wedged = false;
+    visit_near(
+        rigid, 0.0, [](const BodyEntry& other, const Solid& solid) { return other.is_static && !solid.is_ground; },
+        [&](const Nearest& near) { is_wedged = is_wedged || near.distance_m < -kWedged_m; });
+    if (is_wedged) rigid.forceActivationState(ISLAND_SLEEPING);
   }
 }
 

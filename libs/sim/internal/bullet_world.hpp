@@ -29,6 +29,8 @@ struct BodyEntry {
   bool is_static = true, is_present = true;
   Transform<amiss::World, Object> pose;
   std::uint64_t revision = 0;
+  Eigen::Isometry3d still_at = Eigen::Isometry3d::Identity();  // within a few millimetres of this pose ..
+  double still_s = 0.0;                                        // .. for so long
   std::vector<Solid> solids;  // one for each shape of a static body, at most one of a moving one
 };
 
@@ -64,7 +66,10 @@ struct Physics::Impl {
   void take_out(BodyEntry& entry);
   void wake_around(const BodyEntry& entry);
   void substep(double dt_s);
-  void read_poses();
+  void read_poses(double elapsed_s);
+  /// What overlaps fixed things from the start (a drawer in its frame, taken by its hull) rests until it is touched.
+  void rest_what_is_wedged();
+  void still_to_sleep(BodyEntry& entry, double elapsed_s);
 
   /// Calls `visit` for every pair of near points of the probe and the solids that `accept` lets through.
   using Accept = std::function<bool(const BodyEntry&, const Solid&)>;
