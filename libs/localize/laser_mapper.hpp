@@ -1,6 +1,6 @@
-// Simultaneous localization and mapping in the plane: laser and odometry -> poses and a floor grid, by MRPT's ICP map
-// builder (CMetricMapBuilderICP) on a point map, with an occupancy grid drawn from the key scans.
-// The map frame is the robot's pose at the first update. Poses in metres and radians; grid() has the parameter's
+// Simultaneous localization and mapping in the plane: laser and odometry -> poses and a floor grid. MRPT's ICP (CICP)
+// on its point map finds the neighbourhood, point-to-line alignment the pose; MRPT's occupancy grid is drawn from key
+// scans. The map frame is the robot's pose at the first update. Poses in metres and radians; grid() has the parameter's
 // resolution, 0.05 m as a rule.
 // Errors: ArgumentError for parameters that contradict each other. Scans without a return are skipped.
 #pragma once

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "localize/flat.hpp"
+#include "localize/localizer.hpp"
 
 namespace amiss::localize {
 namespace {
@@ -80,6 +81,26 @@ TEST_P(MapperSeeds, DriftsLessThanThreeCentimetresOnATourThroughAllRooms) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, MapperSeeds, ::testing::Values(1, 2, 3, 17));
+
+TEST(LaserMapper, MakesAMapToLocalizeOn) {
+  const Flat flat = Flat::furnished();
+  Mapped mapped = map_flat(testing::drive(flat, testing::tour(), 1));
+  const Drive again = testing::drive(flat, testing::tour(), 2);
+  const Pose2<World, Map> T_world_map = world_of(again);  // both drives start at the same place
+  Localizer localizer(mapped.mapper.cleaned_grid(), {}, {}, {}, RandomStream(2, "localizer"));
+  double sum_m2 = 0.0, sum_rad2 = 0.0;
+  for (const Drive::Step& step : again.steps) {
+    const PoseEstimate estimate =
+        localizer.update(step.odometry, step.has_scan ? &step.scan : nullptr, testing::laser_mount());
+    const Pose2<World, Base> pose = T_world_map * estimate.T_map_base;
+    sum_m2 += (pose.position() - step.truth.position()).squaredNorm();
+    sum_rad2 += std::pow(wrap_angle(pose.yaw_rad - step.truth.yaw_rad), 2);
+  }
+  const auto n = static_cast<double>(again.steps.size());
+  RecordProperty("rms_mm", static_cast<int>(1000.0 * std::sqrt(sum_m2 / n)));
+  EXPECT_LT(std::sqrt(sum_m2 / n), 0.02);
+  EXPECT_LT(std::sqrt(sum_rad2 / n), radians(0.5));
+}
 
 TEST(LaserMapper, StartsAtTheOriginAndFollowsOdometryWhereTheLaserSeesNothing) {
   LaserMapper mapper{LaserMapperParams{}};

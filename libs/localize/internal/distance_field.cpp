@@ -7,7 +7,8 @@ namespace amiss::localize::internal {
 namespace {
 
 constexpr int kIterations = 12;
-constexpr double kKernelM = 0.06;     // width of the robust weight
+constexpr double kFirstKernelM = 0.2;  // width of the robust weight, narrowing with each iteration
+constexpr double kLastKernelM = 0.06;
 constexpr double kPointSigmaM = 0.1;  // of one point; wide, because neighbours share the errors of the map
 
 struct Normal {
@@ -16,13 +17,13 @@ struct Normal {
 };
 
 Normal normal_equations(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
-                        const Pose2<Map, Base>& pose) {
+                        const Pose2<Map, Base>& pose, double kernel_m) {
   const double c = std::cos(pose.yaw_rad), s = std::sin(pose.yaw_rad);
   Normal sum;
   for (const Eigen::Vector2d& p : points_base) {
     const Eigen::Vector2d turned(c * p.x() - s * p.y(), s * p.x() + c * p.y());
     const DistanceField::Sample sample = field.at(pose.position() + turned);
-    const double ratio = sample.distance_m / kKernelM;
+    const double ratio = sample.distance_m / kernel_m;
     const double root = 1.0 / (1.0 + ratio * ratio);
     const double weight = root * root / (kPointSigmaM * kPointSigmaM);
     const Eigen::Vector3d J(sample.gradient.x(), sample.gradient.y(),
@@ -86,14 +87,15 @@ Pose2<Map, Base> aligned(const DistanceField& field, const std::vector<Eigen::Ve
                                     1.0 / (prior.sigma_yaw_rad * prior.sigma_yaw_rad));
   Pose2<Map, Base> pose = prior.T_map_base;
   for (int i = 0; i < kIterations; ++i) {
+    const double kernel_m = std::max(kLastKernelM, kFirstKernelM * std::pow(0.7, i));
     const Eigen::Vector3d from_prior(pose.x_m - prior.T_map_base.x_m, pose.y_m - prior.T_map_base.y_m,
                                      wrap_angle(pose.yaw_rad - prior.T_map_base.yaw_rad));
-    Normal normal = normal_equations(field, points_base, pose);
+    Normal normal = normal_equations(field, points_base, pose, kernel_m);
     normal.H += information.asDiagonal();
     normal.b -= information.cwiseProduct(from_prior);
     const Eigen::Vector3d step = normal.H.ldlt().solve(normal.b);
     pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.yaw_rad + step.z())};
-    if (step.head<2>().norm() < 1e-4 && std::abs(step.z()) < 1e-4) break;
+    if (kernel_m == kLastKernelM && step.head<2>().norm() < 1e-4 && std::abs(step.z()) < 1e-4) break;
   }
   return pose;
 }

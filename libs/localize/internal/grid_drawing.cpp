@@ -1,5 +1,6 @@
 #include "localize/internal/grid_drawing.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "localize/internal/mrpt_types.hpp"
@@ -17,7 +18,7 @@ constexpr float kOccupiedBelow = 0.45F;
 }  // namespace
 
 DrawnGrid::DrawnGrid(double resolution_m, double max_range_m)
-    : grid_(-1.0F, 1.0F, -1.0F, 1.0F, static_cast<float>(resolution_m)) {
+    : resolution_m_(resolution_m), grid_(-1.0F, 1.0F, -1.0F, 1.0F, static_cast<float>(resolution_m)) {
   grid_.insertionOptions.maxDistanceInsertion = static_cast<float>(max_range_m);
   grid_.insertionOptions.maxOccupancyUpdateCertainty = kOccupiedCertainty;
   grid_.insertionOptions.maxFreenessUpdateCertainty = kFreeCertainty;
@@ -33,8 +34,11 @@ void DrawnGrid::add(const LaserScan& scan, const Transform<Base, Laser>& T_base_
 
 const FloorGrid& DrawnGrid::floor() {
   if (floor_) return *floor_;
-  FloorGrid floor(static_cast<double>(grid_.getResolution()),
-                  {static_cast<double>(grid_.getXMin()), static_cast<double>(grid_.getYMin())},
+  // MRPT keeps its corner at a multiple of the resolution, in single precision.
+  const auto corner_m = [this](float corner) {
+    return resolution_m_ * std::round(static_cast<double>(corner) / resolution_m_);
+  };
+  FloorGrid floor(resolution_m_, {corner_m(grid_.getXMin()), corner_m(grid_.getYMin())},
                   static_cast<int>(grid_.getSizeX()), static_cast<int>(grid_.getSizeY()));
   for (int y = 0; y < floor.height(); ++y) {
     for (int x = 0; x < floor.width(); ++x) {

@@ -19,6 +19,7 @@ class DrawnGrid {
   [[nodiscard]] const FloorGrid& floor();
 
  private:
+  double resolution_m_;
   mrpt::maps::COccupancyGridMap2D grid_;
   std::optional<FloorGrid> floor_;
 };
