@@ -51,7 +51,7 @@ std::vector<DrawCall> draw_list(const std::vector<GpuBody>& bodies, std::span<co
     const Eigen::Isometry3f& T = T_camera_bodies[body];
     for (const GpuBatch& batch : bodies[body].batches)
       if (!options.cull || touches(frustum, T, batch.box))
-        calls.push_back({body, &batch, (T * batch.box.center()).norm()});
+        calls.push_back({body, &batch, (T * batch.box.center()).norm() + batch.box.sizes().norm() / 2.0F});
   }
   std::stable_sort(calls.begin(), calls.end(), draw_before);
   return calls;

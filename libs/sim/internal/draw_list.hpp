@@ -14,7 +14,8 @@ namespace amiss::sim::internal {
 struct DrawCall {
   std::size_t body;
   const GpuBatch* batch;
-  float distance_m;  // of the middle of its box
+  float
+      distance_m;  // of the farthest place that its box may reach: walls and floors come after what stands before them
 };
 
 /// T_camera_bodies holds one transform for each body. With options.cull only what the frustum touches.
