@@ -15,7 +15,7 @@ std::string hint(const CLI::App& app, int argc, char** argv) {
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(sub->get_name());
   for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
+    const std::string_view word(argv[i]);
     if (word.starts_with('-')) continue;
     if (std::find(names.begin(), names.end(), word) != names.end()) return "";
     const std::string near = amiss::nearest_word(word, names);

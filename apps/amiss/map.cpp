@@ -60,9 +60,12 @@ int run(const MapArguments& a) {
   mission::Sinks sinks;
   sinks.stop = interrupted;
   sinks.progress = [&](const mission::ProgressEvent& event) { progress.show(event, "mapping"); };
+  std::string log;
+  sinks.log = [&log](Stamp stamp, const std::string& what) { log += fmt::format("{:9.2f} s  {}\n", seconds(stamp), what); };
   const MappingOutcome outcome = run_mapping({world, model, start, a.seed}, settings, true, sinks);
   progress.clear();
 
+  folder.save("log.txt", log);
   const std::string json = report_json(name, a.seed, outcome, outcome.report.complete);
   if (!outcome.report.complete) {
     folder.interrupt(json);

@@ -16,7 +16,10 @@ namespace {
 const std::string kRobot = "hsr";
 const std::string kHere = "here";
 
-std::string region_name(const Visit& visit) { return "region" + std::to_string(visit.id); }
+/// What is seen from the place: a view triangle or a region.
+std::string target_name(const Visit& visit) {
+  return (visit.kind == Visit::Kind::kExplore ? "triangle" : "region") + std::to_string(visit.id);
+}
 
 std::string waypoint_name(const Visit& visit) {
   return (visit.kind == Visit::Kind::kExplore ? "view" : "viewpoint") + std::to_string(visit.id);
@@ -46,12 +49,13 @@ plan::ProblemText compose(std::span<const Visit> visits, const std::vector<std::
     nodes.push_back(place);
     text.objects.push_back({waypoint, "waypoint"});
     if (visit.kind == Visit::Kind::kExplore) {
-      text.init.push_back({"view_triangle", {waypoint}});
-      text.goal.push_back({"explored", {waypoint}});
+      text.objects.push_back({target_name(visit), "triangle"});
+      text.init.push_back({"views", {waypoint, target_name(visit)}});
+      text.goal.push_back({"explored", {target_name(visit)}});
     } else {
-      text.objects.push_back({region_name(visit), "region"});
-      text.init.push_back({"viewpoint", {waypoint, region_name(visit)}});
-      text.goal.push_back({"examined", {region_name(visit)}});
+      text.objects.push_back({target_name(visit), "region"});
+      text.init.push_back({"viewpoint", {waypoint, target_name(visit)}});
+      text.goal.push_back({"examined", {target_name(visit)}});
     }
   }
   for (const std::size_t from : nodes) {
@@ -59,7 +63,7 @@ plan::ProblemText compose(std::span<const Visit> visits, const std::vector<std::
       if (from == to || to == 0 || !std::isfinite(places.length(from, to))) continue;
       text.init.push_back({"connected", {places.names[from], places.names[to]}});
       text.values.push_back(
-          {"way", {places.names[from], places.names[to]}, std::round(100.0 * places.length(from, to))});
+          {"distance", {places.names[from], places.names[to]}, std::round(100.0 * places.length(from, to))});
     }
   }
   return text;
