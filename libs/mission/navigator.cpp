@@ -18,7 +18,6 @@ void describe(ParamTable& table, NavigatorParams& p) {
   table.number("navigator.refresh", p.refresh_s, "s", 0.02, 5.0, "between two updates of the drive map");
   table.integer("navigator.attempts", p.attempts, 1, 20, "paths that are tried before a goal is given up");
   table.number("navigator.head_tilt", p.head_tilt_rad, "deg", -60.0, 0.0, "tilt of the head while driving");
-  table.number("navigator.laser_range", p.laser_range_m, "m", 0.5, 20.0, "of laser hits that count as obstacles");
 }
 
 void describe(ParamTable& table, NavigationParams& p) {
@@ -52,13 +51,18 @@ motion::PathLengths Navigator::ways_from_here() { return {drive_map(), perceptio
 void Navigator::refresh() {
   std::vector<const FloorGrid*> layers = static_layers_;
   layers.push_back(&perception_.obstacles().obstacles());
-  std::vector<Eigen::Vector2d> hits;
-  if (perception_.last_scan()) {
-    hits = motion::laser_hits(*perception_.last_scan(), perception_.pose().T_map_base, perception_.model().T_base_laser,
-                              params_.navigator.laser_range_m);
-  }
-  map_.update(layers, hits);
+  map_.update(layers, perception_.laser_hits_map());
   next_refresh_ = perception_.now() + duration_of(params_.navigator.refresh_s);
+}
+
+std::vector<Eigen::Vector2d> Navigator::hits_base() const {
+  const Eigen::Isometry3d T = perception_.pose().T_map_base.inverse().lift().T;
+  std::vector<Eigen::Vector2d> hits;
+  hits.reserve(perception_.laser_hits_map().size());
+  for (const Eigen::Vector2d& hit : perception_.laser_hits_map()) {
+    hits.emplace_back((T * Eigen::Vector3d(hit.x(), hit.y(), 0.0)).head<2>());
+  }
+  return hits;
 }
 
 DriveReport Navigator::drive_to(const Pose2<Map, Base>& goal, double tolerance_m,
@@ -84,17 +88,10 @@ DriveReport Navigator::drive_to(const Pose2<Map, Base>& goal, double tolerance_m
 
 DriveReport Navigator::follow(motion::Path path, const std::function<bool()>& pointless) {
   follower_.start(std::move(path));
-  std::vector<Eigen::Vector2d> hits;
-  Stamp hits_stamp;
   robot::Command command;
   command.tilt_rad = params_.navigator.head_tilt_rad;
   while (true) {
-    if (perception_.last_scan() && perception_.last_scan()->stamp != hits_stamp) {
-      hits = motion::laser_hits(*perception_.last_scan(), perception_.model().T_base_laser,
-                                params_.navigator.laser_range_m);
-      hits_stamp = perception_.last_scan()->stamp;
-    }
-    const motion::FollowStep next = follower_.step(perception_.pose().T_map_base, map_, hits, kPeriod);
+    const motion::FollowStep next = follower_.step(perception_.pose().T_map_base, map_, hits_base(), kPeriod);
     command.velocity_base_m_s = next.velocity_base_m_s;
     command.yaw_rate_rad_s = next.yaw_rate_rad_s;
     if (!perception_.step(command)) return {DriveOutcome::kEnded, ""};

@@ -18,7 +18,6 @@ struct NavigatorParams {
   double refresh_s = 0.5;  // between two updates of the drive map
   int attempts = 4;        // paths that are tried before a goal is given up
   double head_tilt_rad = -radians(32.0);
-  double laser_range_m = 4.0;  // of hits that count as obstacles
 };
 void describe(ParamTable& table, NavigatorParams& p);
 
@@ -59,6 +58,7 @@ class Navigator {
 
  private:
   void refresh();
+  [[nodiscard]] std::vector<Eigen::Vector2d> hits_base() const;
   DriveReport follow(motion::Path path, const std::function<bool()>& pointless);
 
   Perception& perception_;

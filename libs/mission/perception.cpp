@@ -1,10 +1,14 @@
 #include "mission/perception.hpp"
 
+#include "motion/drive_map.hpp"
+
 namespace amiss::mission {
 
 void describe(ParamTable& table, PerceptionParams& p) {
   table.number("perception.floor_clearance", p.floor_clearance_m, "m", 0.0, 0.05,
                "z = 0 of the map above the floor, so that the floor's noise stays in the voxels under it");
+  table.number("perception.obstacle_range", p.obstacle_range_m, "m", 0.5, 20.0,
+               "of laser hits that count as obstacles");
 }
 
 Perception::Perception(robot::Robot& robot, std::unique_ptr<Tracker> tracker, const FloorGrid& floor,
@@ -26,7 +30,10 @@ bool Perception::step(const robot::Command& command) {
     distance_m_ += (seen.odometry.T_odom_base.position() - last_odometry_->position()).norm();
   }
   last_odometry_ = seen.odometry.T_odom_base;
-  if (seen.scan) last_scan_ = std::move(seen.scan);
+  if (seen.scan) {
+    laser_hits_map_ =
+        motion::laser_hits(*seen.scan, pose_.T_map_base, robot_.model().T_base_laser, params_.obstacle_range_m);
+  }
   if (seen.frame) {
     const Transform<Map, Camera> T_map_camera = camera_pose(*seen.frame);
     if (pose_.converged) voxels_.insert(seen.frame->frame, T_map_camera);

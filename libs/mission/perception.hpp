@@ -17,6 +17,7 @@ namespace amiss::mission {
 
 struct PerceptionParams {
   double floor_clearance_m = 0.012;  // z = 0 of the map above the floor: its noise stays in the voxels under it
+  double obstacle_range_m = 4.0;     // of laser hits that count as obstacles
   double time_limit_s = 3600.0;      // simulated; the mission ends there
 };
 void describe(ParamTable& table, PerceptionParams& p);
@@ -44,8 +45,8 @@ class Perception {
   /// Obstacles and floor seen so far, brought up to date by this call.
   const mapping::ObstacleLayer& obstacles();
   [[nodiscard]] const std::optional<LocatedFrame>& last_frame() const { return last_frame_; }
-  /// Where the beams of the last scan ended, in the base frame of that scan, and the scan itself.
-  [[nodiscard]] const std::optional<LaserScan>& last_scan() const { return last_scan_; }
+  /// Where the beams of the last scan ended, in the map frame, by the pose at its instant.
+  [[nodiscard]] const std::vector<Eigen::Vector2d>& laser_hits_map() const { return laser_hits_map_; }
   [[nodiscard]] Stamp now() const { return pose_.stamp; }
   [[nodiscard]] bool out_of_time() const { return seconds(now()) >= params_.time_limit_s; }
   [[nodiscard]] double distance_m() const { return distance_m_; }
@@ -69,7 +70,7 @@ class Perception {
   double distance_m_ = 0.0;
   bool bumper_ = false;
   std::optional<LocatedFrame> last_frame_;
-  std::optional<LaserScan> last_scan_;
+  std::vector<Eigen::Vector2d> laser_hits_map_;
 };
 
 }  // namespace amiss::mission
