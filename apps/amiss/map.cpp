@@ -61,7 +61,9 @@ int run(const MapArguments& a) {
   sinks.stop = interrupted;
   sinks.progress = [&](const mission::ProgressEvent& event) { progress.show(event, "mapping"); };
   std::string log;
-  sinks.log = [&log](Stamp stamp, const std::string& what) { log += fmt::format("{:9.2f} s  {}\n", seconds(stamp), what); };
+  sinks.log = [&log](Stamp stamp, const std::string& what) {
+    log += fmt::format("{:9.2f} s  {}\n", seconds(stamp), what);
+  };
   const MappingOutcome outcome = run_mapping({world, model, start, a.seed}, settings, true, sinks);
   progress.clear();
 

@@ -95,88 +95,128 @@ int exit_status_of(const std::string& outcome, const TidyOptions& options) {
   return outcome == (options.until_found ? "found" : "explored") ? kGoalMet : kGoalNotMet;
 }
 
-}  // namespace
+/// Wall time without what is not part of the search.
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds_s() const { return wall_s() - begin_s_; }
+  void leave_out(double seconds_s) { begin_s_ += seconds_s; }
 
-TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
-  catch_interrupts();
-  double begin = wall_s();
-  const Scene scene = load_scene(options, settings);
-  const world::Catalogue catalogue = world::load_catalogue({scene.resources.objects}, settings.world);
-  const auto scattered = choose_objects(options, settings, scene, catalogue);
+ private:
+  double begin_s_ = wall_s();
+};
 
-  const std::string stem = "tidy-" + scene.world.file.stem().string() + "-" + std::to_string(options.seed);
-  const report::RunFolder folder(options.out.empty() ? report::unused_folder("runs", stem)
-                                                     : std::filesystem::path(options.out));
-  folder.save("params.yaml", settings.table().to_yaml());
-  settings.mission.perception.time_limit_s = options.time_limit_s;
-
-  ProgressLine progress(!options.quiet);
-  mission::Sinks mapping_sinks;
-  mapping_sinks.stop = interrupted;
-  mapping_sinks.progress = [&](const mission::ProgressEvent& event) { progress.show(event, "mapping"); };
-  const MappingInput mapping{scene.reference_world, scene.model, scene.start};
-  const double before_mapping = wall_s();
-  const auto prepared = cached_reference(mapping, settings, options.threads > 1, mapping_sinks, [&] {
+std::optional<PreparedReference> prepare_reference(const TidyOptions& options, Settings& settings, const Scene& scene,
+                                                   ProgressLine& progress, Stopwatch& watch) {
+  mission::Sinks sinks;
+  sinks.stop = interrupted;
+  sinks.progress = [&](const mission::ProgressEvent& event) { progress.show(event, "mapping"); };
+  const MappingInput input{scene.reference_world, scene.model, scene.start};
+  const double before = watch.seconds_s();
+  auto prepared = cached_reference(input, settings, options.threads > 1, sinks, [&] {
     if (!options.quiet) std::cerr << "amiss: mapping " << scene.reference_world.file.stem().string() << " once\n";
   });
-  begin += wall_s() - before_mapping;  // the mapping run is not part of the search
+  watch.leave_out(watch.seconds_s() - before);
   progress.clear();
+  return prepared;
+}
 
-  TidyOutcome outcome;
-  outcome.folder = folder.path().string();
-  report::TidyReport& report = outcome.report;
-  report.version = AMISS_VERSION;
-  report.world = options.reference_world.empty() ? scene.world.name : scene.world.file.stem().string();
-  report.seed = options.seed;
-  report.method = "dynamic";
-  if (!prepared) {
-    report.outcome = "interrupted";
-    outcome.exit_status = interrupted() ? kInterrupted : kGoalNotMet;
-    outcome.json = report::to_json(report, "");
-    folder.interrupt(outcome.json);
-    return outcome;
-  }
-
-  Worker worker(options.threads > 1);
-  sim::Simulator simulator(scene.world, scene.model, settings.simulator, options.seed, scene.start, worker);
+std::unique_ptr<sim::Simulator> make_simulator(const TidyOptions& options, const Settings& settings, const Scene& scene,
+                                               const world::Catalogue& catalogue,
+                                               const std::vector<sim::ScatteredObject>& scattered, Worker& worker) {
+  auto simulator =
+      std::make_unique<sim::Simulator>(scene.world, scene.model, settings.simulator, options.seed, scene.start, worker);
   for (const sim::ScatteredObject& object : scattered) {
     world::Body body = catalogue.at(object.kind).body;
     body.name = object.name;
-    simulator.add_object(body, object.pose, object.kind);
+    simulator->add_object(body, object.pose, object.kind);
   }
-  Transform<World, Map> T_world_map = prepared->T_world_map.lift();
-  T_world_map.T.translate(Eigen::Vector3d(0.0, 0.0, settings.mission.perception.floor_clearance_m));
-  score::Referee referee(placed_objects(scene, scattered, simulator.truth()), T_world_map, settings.referee);
+  return simulator;
+}
+
+score::Referee make_referee(const TidyOptions& options, const Settings& settings, const Scene& scene,
+                            const std::vector<sim::ScatteredObject>& scattered, const world::Truth& truth,
+                            const Pose2<World, Map>& T_world_map) {
+  Transform<World, Map> lifted = T_world_map.lift();
+  lifted.T.translate(Eigen::Vector3d(0.0, 0.0, settings.mission.perception.floor_clearance_m));
+  score::Referee referee(placed_objects(scene, scattered, truth), lifted, settings.referee);
   if (options.until_found && referee.verdicts().empty()) {
     throw ArgumentError("--until found: there is nothing to be found; place objects or use --until explored");
   }
+  return referee;
+}
 
+void finish(const report::RunFolder& folder, const TidyOptions& options, TidyOutcome& outcome,
+            std::string_view artefacts) {
+  outcome.json = report::to_json(outcome.report, artefacts);
+  outcome.exit_status = exit_status_of(outcome.report.outcome, options);
+  if (outcome.report.outcome == "interrupted") {
+    folder.interrupt(outcome.json);
+  } else {
+    folder.finish(outcome.json);
+  }
+}
+
+/// The search itself, and the run folder's contents.
+void search(const TidyOptions& options, const Settings& settings, const Scene& scene, const PreparedReference& prepared,
+            sim::Simulator& simulator, score::Referee& referee, const report::RunFolder& folder, ProgressLine& progress,
+            report::TidyReport& report, std::string& artefacts) {
   TidyObserver observer(simulator, referee, folder, progress);
   const mission::Sinks sinks = observer.sinks(options.until_found);
-  const plan::Domain domain = plan::load_domain(scene.resources.pddl / "search.pddl");
-  folder.save("plans/domain.pddl", load_bytes(scene.resources.pddl / "search.pddl"));
+  const std::filesystem::path domain_file = scene.resources.pddl / "search.pddl";
+  const plan::Domain domain = plan::load_domain(domain_file);
+  folder.save("plans/domain.pddl", load_bytes(domain_file));
   knowledge::KnowledgeBase knowledge(folder.path() / "knowledge.sqlite", settings.mission.knowledge);
-  mission::Search search(simulator, prepared->reference, knowledge, domain, settings.mission, options.seed,
+  mission::Search search(simulator, prepared.reference, knowledge, domain, settings.mission, options.seed,
                          options.until_found, sinks);
   const mission::SearchReport result = search.run();
   knowledge.close();
   progress.clear();
 
   report.outcome = outcome_of(result, options, referee);
-  observer.fill(report, result, knowledge.now(), prepared->T_world_map);
-  const std::string map_bytes = mapping::voxel_map_bytes(search.voxels(), mapping::VoxelFormat::kOt);
-  folder.save("current.ot", map_bytes);
-  folder.save("map.png", observer.floor_plan(prepared->reference.floor, search.seen_floor(), knowledge.now(),
-                                             prepared->T_world_map));
+  observer.fill(report, result, knowledge.now(), prepared.T_world_map);
+  artefacts = mapping::voxel_map_bytes(search.voxels(), mapping::VoxelFormat::kOt);
+  folder.save("current.ot", artefacts);
+  folder.save("map.png", observer.floor_plan(prepared.reference.floor, search.seen_floor(), knowledge.now(),
+                                             prepared.T_world_map));
   folder.save("log.txt", observer.log());
-  report.wall_s = wall_s() - begin;
-  outcome.json = report::to_json(report, map_bytes + observer.save_trajectories());
-  outcome.exit_status = exit_status_of(report.outcome, options);
-  if (report.outcome == "interrupted") {
-    folder.interrupt(outcome.json);
-  } else {
-    folder.finish(outcome.json);
+  artefacts += observer.save_trajectories();
+}
+
+}  // namespace
+
+TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
+  catch_interrupts();
+  Stopwatch watch;
+  const Scene scene = load_scene(options, settings);
+  const world::Catalogue catalogue = world::load_catalogue({scene.resources.objects}, settings.world);
+  const auto scattered = choose_objects(options, settings, scene, catalogue);
+  const std::string name = scene.world.file.stem().string();
+  const report::RunFolder folder(
+      options.out.empty() ? report::unused_folder("runs", "tidy-" + name + "-" + std::to_string(options.seed))
+                          : std::filesystem::path(options.out));
+  folder.save("params.yaml", settings.table().to_yaml());
+  settings.mission.perception.time_limit_s = options.time_limit_s;
+
+  TidyOutcome outcome;
+  outcome.folder = folder.path().string();
+  outcome.report.version = AMISS_VERSION;
+  outcome.report.world = name;
+  outcome.report.seed = options.seed;
+  outcome.report.method = "dynamic";
+  ProgressLine progress(!options.quiet);
+  const auto prepared = prepare_reference(options, settings, scene, progress, watch);
+  if (!prepared) {
+    outcome.report.outcome = interrupted() ? "interrupted" : "not_mapped";
+    finish(folder, options, outcome, "");
+    return outcome;
   }
+  Worker worker(options.threads > 1);
+  const auto simulator = make_simulator(options, settings, scene, catalogue, scattered, worker);
+  score::Referee referee = make_referee(options, settings, scene, scattered, simulator->truth(), prepared->T_world_map);
+  std::string artefacts;
+  search(options, settings, scene, *prepared, *simulator, referee, folder, progress, outcome.report, artefacts);
+  outcome.report.wall_s = watch.seconds_s();
+  finish(folder, options, outcome, artefacts);
   return outcome;
 }
 
