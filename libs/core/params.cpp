@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "core/files.hpp"
 #include "core/result.hpp"
@@ -40,21 +41,34 @@ std::string range_text(const std::string& low, const std::string& high, const st
   return low + " .. " + high + (unit.empty() ? "" : " " + unit);
 }
 
-using Setter = std::function<void(const std::string& key, const YAML::Node& value)>;
+/// The leaves of nested maps, each key once; errors name file:line.
+class LeafReader {
+ public:
+  using Setter = std::function<void(const std::string& key, const std::string& text, const std::string& where)>;
+  LeafReader(std::string file, Setter set) : file_(std::move(file)), set_(std::move(set)) {}
 
-void for_each_leaf(const YAML::Node& node, const std::string& prefix, const std::string& file, const Setter& set) {
-  for (const auto& entry : node) {
-    const std::string key = prefix + entry.first.Scalar();
-    if (entry.second.IsMap()) {
-      for_each_leaf(entry.second, key + ".", file, set);
-    } else if (entry.second.IsScalar()) {
-      set(key, entry.second);
-    } else {
-      throw ArgumentError(file + ":" + std::to_string(entry.second.Mark().line + 1) + ": " + key +
-                          " is empty or a list; a single value is allowed");
+  void read(const YAML::Node& node, const std::string& prefix = "", int depth = 0) {
+    constexpr int kDeepest = 8;  // an alias may make a map that holds itself
+    for (const auto& entry : node) {
+      const std::string where = file_ + ":" + std::to_string(entry.first.Mark().line + 1);
+      if (!entry.first.IsScalar()) throw ArgumentError(where + ": the name of a parameter is needed as key");
+      const std::string key = prefix + entry.first.Scalar();
+      if (entry.second.IsMap() && depth < kDeepest) {
+        read(entry.second, key + ".", depth + 1);
+      } else if (entry.second.IsScalar()) {
+        if (!seen_.insert(key).second) throw ArgumentError(where + ": " + key + " is set twice; once is allowed");
+        set_(key, entry.second.Scalar(), where);
+      } else {
+        throw ArgumentError(where + ": " + key + " is empty, a list or nested too deeply; a single value is allowed");
+      }
     }
   }
-}
+
+ private:
+  std::string file_;
+  Setter set_;
+  std::set<std::string> seen_;
+};
 
 }  // namespace
 
@@ -135,9 +149,9 @@ void ParamTable::load_file(const std::filesystem::path& file) {
     if (root.IsNull()) return;
     if (!root.IsMap())
       throw ArgumentError(file.string() + ":1: keys and values are needed, as in 'view: {samples: 500}'");
-    for_each_leaf(root, "", file.string(), [&](const std::string& key, const YAML::Node& value) {
-      set(key, value.Scalar(), file.string() + ":" + std::to_string(value.Mark().line + 1));
-    });
+    LeafReader(file.string(), [this](const auto& key, const auto& text, const auto& where) {
+      set(key, text, where);
+    }).read(root);
   } catch (const YAML::Exception& e) {
     throw ArgumentError(file.string() + ":" + std::to_string(e.mark.line + 1) + ": is not YAML: " + e.msg);
   }
