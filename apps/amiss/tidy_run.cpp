@@ -156,10 +156,19 @@ void finish(const report::RunFolder& folder, const TidyOptions& options, TidyOut
   }
 }
 
-/// The search itself, and the run folder's contents.
-void search(const TidyOptions& options, const Settings& settings, const Scene& scene, const PreparedReference& prepared,
-            sim::Simulator& simulator, score::Referee& referee, const report::RunFolder& folder, ProgressLine& progress,
-            report::TidyReport& report, std::string& artefacts) {
+/// What a search needs beside its parameters.
+struct Stage {
+  const Scene& scene;
+  const PreparedReference& prepared;
+  sim::Simulator& simulator;
+  score::Referee& referee;
+  const report::RunFolder& folder;
+};
+
+/// The search itself, and the run folder's contents. Returns the artefacts that the digest covers.
+std::string search(const TidyOptions& options, const Settings& settings, const Stage& stage, ProgressLine& progress,
+                   report::TidyReport& report) {
+  const auto& [scene, prepared, simulator, referee, folder] = stage;
   TidyObserver observer(simulator, referee, folder, progress);
   const mission::Sinks sinks = observer.sinks(options.until_found);
   const std::filesystem::path domain_file = scene.resources.pddl / "search.pddl";
@@ -174,12 +183,12 @@ void search(const TidyOptions& options, const Settings& settings, const Scene& s
 
   report.outcome = outcome_of(result, options, referee);
   observer.fill(report, result, knowledge.now(), prepared.T_world_map);
-  artefacts = mapping::voxel_map_bytes(search.voxels(), mapping::VoxelFormat::kOt);
-  folder.save("current.ot", artefacts);
+  const std::string map_bytes = mapping::voxel_map_bytes(search.voxels(), mapping::VoxelFormat::kOt);
+  folder.save("current.ot", map_bytes);
   folder.save("map.png", observer.floor_plan(prepared.reference.floor, search.seen_floor(), knowledge.now(),
                                              prepared.T_world_map));
   folder.save("log.txt", observer.log());
-  artefacts += observer.save_trajectories();
+  return map_bytes + observer.save_trajectories();
 }
 
 }  // namespace
@@ -213,8 +222,8 @@ TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
   Worker worker(options.threads > 1);
   const auto simulator = make_simulator(options, settings, scene, catalogue, scattered, worker);
   score::Referee referee = make_referee(options, settings, scene, scattered, simulator->truth(), prepared->T_world_map);
-  std::string artefacts;
-  search(options, settings, scene, *prepared, *simulator, referee, folder, progress, outcome.report, artefacts);
+  const std::string artefacts =
+      search(options, settings, {scene, *prepared, *simulator, referee, folder}, progress, outcome.report);
   outcome.report.wall_s = watch.seconds_s();
   finish(folder, options, outcome, artefacts);
   return outcome;
