@@ -12,6 +12,8 @@ constexpr double kGoalTolerance = 0.4;  // m
 constexpr double kFirstLook = 2.0;      // s of standing, so that SLAM has a scan
 constexpr double kAreaEdge = 60.0;      // m, of the square that the first half can map
 constexpr double kFailedRadius = 0.5;   // m round a goal that failed, where no other goal is tried
+constexpr double kOutsideRadius = 1.5;  // m, the same round a goal out of doors
+constexpr double kEnclosed = 0.5;       // part of the beams that return indoors, at least
 
 FloorGrid empty_area() {
   const int cells = static_cast<int>(kAreaEdge / 0.05);
@@ -40,18 +42,32 @@ class Exploration {
       const auto next = std::find_if(found.begin(), found.end(), [&](const auto& f) { return !failed(f.goal); });
       if (next == found.end()) return goals;
       ++goals;
+      const Pose2<Map, Base> here = perception_.pose().T_map_base;
       const DriveReport report =
-          navigator_.drive_to(next->goal, kGoalTolerance, [&] { return map_grew(next->middle_m); });
+          navigator_.drive_to(next->goal, kGoalTolerance, [&] { return outdoors() || map_grew(next->middle_m); });
       if (report.outcome == DriveOutcome::kEnded) return goals;
-      if (report.outcome != DriveOutcome::kPointless) tried_.push_back(next->goal.position());
+      if (outdoors()) {
+        perception_.sinks().log(perception_.now(), "turned back where the building ends");
+        outside_.push_back(next->goal.position());
+        if (navigator_.drive_to(here, kGoalTolerance, never).outcome == DriveOutcome::kEnded) return goals;
+      } else if (report.outcome != DriveOutcome::kPointless) {
+        tried_.push_back(next->goal.position());
+      }
     }
     return goals;
   }
 
  private:
   [[nodiscard]] bool failed(const Pose2<Map, Base>& goal) const {
-    return std::any_of(tried_.begin(), tried_.end(),
-                       [&](const auto& p) { return (p - goal.position()).norm() < kFailedRadius; });
+    const auto near = [&](const std::vector<Eigen::Vector2d>& places, double radius_m) {
+      return std::any_of(places.begin(), places.end(),
+                         [&](const auto& p) { return (p - goal.position()).norm() < radius_m; });
+    };
+    return near(tried_, kFailedRadius) || near(outside_, kOutsideRadius);
+  }
+  /// Where little surrounds the robot the flat ends, and SLAM has nothing to hold on to.
+  [[nodiscard]] bool outdoors() const {
+    return perception_.returned_part() < kEnclosed || !perception_.pose().converged;
   }
   /// Takes over what SLAM mapped since; true when there is nothing unknown left round the frontier.
   bool map_grew(const Eigen::Vector2d& frontier) {
@@ -70,7 +86,7 @@ class Exploration {
   localize::LaserMapper& mapper_;
   const Params& params_;
   Navigator navigator_;
-  std::vector<Eigen::Vector2d> tried_;
+  std::vector<Eigen::Vector2d> tried_, outside_;  // goals that failed, that lie out of doors
 };
 
 /// The second half.

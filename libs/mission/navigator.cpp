@@ -11,6 +11,7 @@ constexpr double kTurnRate = 1.0;        // rad/s, on the spot
 constexpr double kTurnTolerance = 0.03;  // rad
 constexpr double kMinClearance = 0.24;   // m, below which a path is given up on the way
 constexpr double kLookAhead = 3.0;       // m of the path that is checked again
+constexpr double kStandsOn = 0.15;       // m round the base's middle: free, though its own sensors never see it
 
 }  // namespace
 
@@ -51,6 +52,7 @@ motion::PathLengths Navigator::ways_from_here() { return {drive_map(), perceptio
 void Navigator::refresh() {
   std::vector<const FloorGrid*> layers = static_layers_;
   layers.push_back(&perception_.obstacles().obstacles());
+  map_.keep_free({perception_.pose().T_map_base.position()}, kStandsOn);
   map_.update(layers, perception_.laser_hits_map());
   next_refresh_ = perception_.now() + duration_of(params_.navigator.refresh_s);
 }
@@ -100,8 +102,8 @@ DriveReport Navigator::follow(motion::Path path, const std::function<bool()>& po
       return {DriveOutcome::kFailed, std::string(motion::to_string(next.status))};
     }
     if (perception_.now() < next_refresh_) continue;
-    refresh();
     if (pointless()) return {DriveOutcome::kPointless, ""};
+    refresh();  // after pointless(), which may have set another floor
     const bool blocked_ahead = motion::min_clearance_m(map_, follower_.path(), follower_.travelled_m()) < kMinClearance;
     if (blocked_ahead && next.remaining_m > 0.0 && next.free_ahead_m < kLookAhead) {
       return {DriveOutcome::kFailed, "blocked ahead"};

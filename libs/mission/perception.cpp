@@ -1,8 +1,21 @@
 #include "mission/perception.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "motion/drive_map.hpp"
 
 namespace amiss::mission {
+
+namespace {
+
+double part_returned(const LaserScan& scan) {
+  const auto met = [](float range_m) { return std::isfinite(range_m); };
+  const auto returned = std::count_if(scan.ranges_m.begin(), scan.ranges_m.end(), met);
+  return static_cast<double>(returned) / std::max(1.0, static_cast<double>(scan.ranges_m.size()));
+}
+
+}  // namespace
 
 void describe(ParamTable& table, PerceptionParams& p) {
   table.number("perception.floor_clearance", p.floor_clearance_m, "m", 0.0, 0.05,
@@ -33,6 +46,7 @@ bool Perception::step(const robot::Command& command) {
   if (seen.scan) {
     laser_hits_map_ =
         motion::laser_hits(*seen.scan, pose_.T_map_base, robot_.model().T_base_laser, params_.obstacle_range_m);
+    returned_part_ = part_returned(*seen.scan);
   }
   if (seen.frame) {
     const Transform<Map, Camera> T_map_camera = camera_pose(*seen.frame);

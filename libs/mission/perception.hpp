@@ -47,6 +47,8 @@ class Perception {
   [[nodiscard]] const std::optional<LocatedFrame>& last_frame() const { return last_frame_; }
   /// Where the beams of the last scan ended, in the map frame, by the pose at its instant.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& laser_hits_map() const { return laser_hits_map_; }
+  /// Part of the beams of the last scan that met something.
+  [[nodiscard]] double returned_part() const { return returned_part_; }
   [[nodiscard]] Stamp now() const { return pose_.stamp; }
   [[nodiscard]] bool out_of_time() const { return seconds(now()) >= params_.time_limit_s; }
   [[nodiscard]] double distance_m() const { return distance_m_; }
@@ -71,6 +73,7 @@ class Perception {
   bool bumper_ = false;
   std::optional<LocatedFrame> last_frame_;
   std::vector<Eigen::Vector2d> laser_hits_map_;
+  double returned_part_ = 1.0;
 };
 
 }  // namespace amiss::mission
