@@ -18,6 +18,7 @@ constexpr int kMatchedBeams = 240;        // of a scan, for MRPT's ICP and its p
 constexpr double kMatchDistanceM = 0.03;  // driven between two alignments; odometry alone in between
 constexpr double kMatchAngleRad = radians(2.0);
 constexpr std::size_t kMinPoints = 60;  // on surfaces, of a scan that is believed
+constexpr double kFootprintM = 0.20;    // half the edge of the square that a robot surely covers
 constexpr double kNewPart = 0.05;       // of a scan that is worth a place in the maps that are matched against
 
 mrpt::slam::CICP::TConfigParams icp_options() {
@@ -127,7 +128,7 @@ PoseEstimate LaserMapper::update(const Odometry& odometry, const LaserScan& scan
 const PoseEstimate& LaserMapper::estimate() const { return state_->estimate; }
 Pose2<Map, Odom> LaserMapper::T_map_odom() const { return state_->T_map_odom; }
 const FloorGrid& LaserMapper::grid() { return state_->drawn.floor(); }
-FloorGrid LaserMapper::cleaned_grid() { return cleaned(grid(), state_->estimate.T_map_base.position()); }
+FloorGrid LaserMapper::cleaned_grid() { return cleaned(grid(), Eigen::Vector2d::Zero()); }
 
 namespace {
 
@@ -140,13 +141,24 @@ bool has_neighbour(const FloorGrid& grid, Cell c, Occupancy value) {
   return false;
 }
 
+/// Free cells in the footprint of a robot: not only the one under its middle, which its laser may never have crossed.
+std::queue<Cell> free_cells_under(const FloorGrid& grid, const Eigen::Vector2d& robot_map) {
+  std::queue<Cell> cells;
+  const Cell low = grid.cell_at(robot_map - Eigen::Vector2d::Constant(kFootprintM));
+  const Cell high = grid.cell_at(robot_map + Eigen::Vector2d::Constant(kFootprintM));
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      if (grid.contains({x, y}) && grid.at(Cell{x, y}) == Occupancy::kFree) cells.push({x, y});
+    }
+  }
+  return cells;
+}
+
 /// Free cells that are reached through free cells, four neighbours each.
-std::vector<bool> reached_from(const FloorGrid& grid, Cell start) {
+std::vector<bool> reached_from(const FloorGrid& grid, const Eigen::Vector2d& robot_map) {
   std::vector<bool> reached(grid.cells().size(), false);
-  if (!grid.contains(start)) return reached;
-  std::queue<Cell> open;
-  open.push(start);
-  reached[grid.index(start)] = true;
+  std::queue<Cell> open = free_cells_under(grid, robot_map);
+  for (std::queue<Cell> starts = open; !starts.empty(); starts.pop()) reached[grid.index(starts.front())] = true;
   while (!open.empty()) {
     const Cell c = open.front();
     open.pop();
@@ -171,7 +183,7 @@ FloorGrid cleaned(const FloorGrid& grid, const Eigen::Vector2d& reachable_from_m
       if (alone) out.set(c, Occupancy::kFree);
     }
   }
-  const std::vector<bool> reached = reached_from(out, out.cell_at(reachable_from_map));
+  const std::vector<bool> reached = reached_from(out, reachable_from_map);
   for (int y = 0; y < out.height(); ++y) {
     for (int x = 0; x < out.width(); ++x) {
       const Cell c{x, y};

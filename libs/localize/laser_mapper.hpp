@@ -40,7 +40,8 @@ class LaserMapper {
   /// scans were kept since the last call.
   [[nodiscard]] const FloorGrid& grid();
 
-  /// The map at the end: single occupied cells and free cells that only stray rays reached are taken back.
+  /// The map at the end: single occupied cells and free cells that only stray rays reached are taken back. The robot
+  /// came from the map's origin, so all that it can reach hangs together with the floor there.
   [[nodiscard]] FloorGrid cleaned_grid();
 
  private:
@@ -49,7 +50,7 @@ class LaserMapper {
 };
 
 /// Takes back what single stray beams left: occupied cells without an occupied neighbour that stand in free space, and
-/// free cells that the cell `reachable_from` does not reach through free cells.
+/// free cells that are not reached through free cells from those that a robot at `reachable_from_map` covers.
 [[nodiscard]] FloorGrid cleaned(const FloorGrid& grid, const Eigen::Vector2d& reachable_from_map);
 
 }  // namespace amiss::localize

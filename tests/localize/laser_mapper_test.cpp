@@ -142,5 +142,18 @@ TEST(Cleaned, TakesBackWhatStrayBeamsLeft) {
   EXPECT_EQ(clean.at(Cell{2, 2}), Occupancy::kFree);
 }
 
+TEST(Cleaned, StartsBesideAHoleUnderTheRobot) {
+  FloorGrid grid(0.05, {0.0, 0.0}, 30, 30);
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 30; ++x) {
+      const bool under = std::abs(x - 14) <= 1 && std::abs(y - 14) <= 1;
+      if (!under) grid.set({x, y}, Occupancy::kFree);
+    }
+  }
+  const FloorGrid clean = cleaned(grid, grid.centre_of({14, 14}));
+  EXPECT_EQ(clean.at(Cell{14, 14}), Occupancy::kUnknown);
+  EXPECT_EQ(clean.at(Cell{2, 27}), Occupancy::kFree);
+}
+
 }  // namespace
 }  // namespace amiss::localize
