@@ -62,9 +62,8 @@ RgbdFrame DepthNoise::apply(RenderedFrame&& frame, Stamp stamp, RandomStream& st
     noisy.depth_m = std::move(frame.depth_m);
     return noisy;
   }
-  std::vector<float> depth = std::move(frame.depth_m);
-  for (float& z : depth) z = z > 0.0F ? z : 0.0F;
-  noisy.depth_m = internal::noisy_depth(*tables_, frame, depth, seed);
+  internal::clean(frame.depth_m);
+  noisy.depth_m = internal::noisy_depth(*tables_, frame, seed);
   internal::add_colour_noise(*tables_, noisy.colour, seed);
   return noisy;
 }

@@ -2,17 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace amiss::sim::internal {
 namespace {
-
-constexpr double kAngleStep = radians(2.0);
-constexpr std::size_t kTooFlat = kAngleBins - 1;  // the bin of angles at which nothing comes back
-
-double middle_of(std::size_t angle_bin) {
-  return std::min((static_cast<double>(angle_bin) + 0.5) * kAngleStep, radians(89.0));
-}
 
 /// Repeat the beginning after the end, so that a row can be read from any place.
 template <class T>
@@ -21,35 +13,15 @@ void continue_table(std::vector<T>& table, std::size_t more) {
 }
 
 void fill_angles(NoiseTables& t) {
-  for (std::size_t byte = 0; byte < t.angle_bin.size(); ++byte) {
-    const double angle = std::acos(static_cast<double>(byte) / 255.0);
-    const auto bin = static_cast<std::size_t>(angle / kAngleStep);
-    t.angle_bin[byte] =
-        static_cast<std::uint8_t>(angle > t.params.max_incidence_rad ? kTooFlat : std::min(bin, kTooFlat - 1));
-  }
-  for (std::size_t bin = 0; bin < kAngleBins; ++bin)
-    t.lateral_px[bin] = static_cast<float>(t.params.lateral_scale * sigma_lateral_px(middle_of(bin)));
-}
-
-/// Rounding to steps adds step^2 / 12 to the variance, so the noise before it is that much smaller.
-double sigma_before_rounding(double sigma_steps) {
-  return std::sqrt(std::max(sigma_steps * sigma_steps - 1.0 / 12.0, 0.0));
-}
-
-void fill_steps(NoiseTables& t) {
   const DepthNoiseParams& p = t.params;
-  for (std::size_t step = 0; step <= t.max_step + 1; ++step) {
-    const double z = static_cast<double>(t.steps_m) / std::max(static_cast<double>(step), 0.5);
-    const bool in_range = z >= p.min_range_m && z <= p.max_range_m;
-    t.depth_of_step.push_back(in_range ? static_cast<float>(z) : std::numeric_limits<float>::quiet_NaN());
-    for (std::size_t bin = 0; bin < kAngleBins; ++bin) {
-      const double angle = middle_of(bin), steps_per_m = static_cast<double>(t.steps_m) / (z * z);
-      const double sigma = p.axial_scale * sigma_axial_m(z, angle) * steps_per_m;
-      t.axial_steps.push_back(static_cast<float>(sigma_before_rounding(sigma)));
-      // Half of the pixels are lost at the least signal, none at twice of it.
-      const double signal = p.least_signal > 0.0 ? std::cos(angle) / (z * z) / (2.0 * p.least_signal) : 1e9;
-      t.signal.push_back(bin == kTooFlat ? -1.0F : static_cast<float>(signal / 255.0));
-    }
+  for (std::size_t byte = 0; byte < t.signal.size(); ++byte) {
+    const double cosine = static_cast<double>(byte) / 255.0, angle = std::min(std::acos(cosine), radians(89.0));
+    const double flat = angle / (radians(90.0) - angle);
+    t.lateral_px[byte] = static_cast<float>(p.lateral_scale * sigma_lateral_px(angle));
+    t.flat_m[byte] = static_cast<float>(0.0001 * flat * flat);
+    // Half of the pixels are lost at the least signal, none at twice of it.
+    const double signal = p.least_signal > 0.0 ? cosine / (2.0 * p.least_signal) : 1e9;
+    t.signal[byte] = angle > p.max_incidence_rad ? -1.0F : static_cast<float>(signal / 255.0);
   }
 }
 
@@ -75,9 +47,9 @@ NoiseTables::NoiseTables(const DepthNoiseParams& p, const CameraIntrinsics& c)
     : params(p),
       intrinsics(c),
       steps_m(static_cast<float>(c.fx * p.baseline_m / p.disparity_step_px)),
-      max_step(static_cast<std::size_t>(static_cast<double>(steps_m) / p.min_range_m)) {
+      max_steps(static_cast<float>(static_cast<double>(steps_m) / p.min_range_m)),
+      axial_scale(static_cast<float>(p.axial_scale)) {
   fill_angles(*this);
-  fill_steps(*this);
   fill_random(*this);
 }
 

@@ -10,7 +10,6 @@
 namespace amiss::sim::internal {
 
 inline constexpr std::size_t kNoiseValues = 65536;  // of each table of random numbers, continued at its end by a row
-inline constexpr std::size_t kAngleBins = 48;
 inline constexpr std::size_t kMaxWidth = 4096;
 
 struct NoiseTables {
@@ -18,15 +17,13 @@ struct NoiseTables {
 
   DepthNoiseParams params;
   CameraIntrinsics intrinsics;
-  float steps_m;                             // disparity in steps = steps_m / z
-  std::size_t max_step;                      // where the minimum range lies
-  std::vector<float> depth_of_step;          // [m], NaN outside of the range
-  std::array<std::uint8_t, 256> angle_bin;   // of an incidence byte
-  std::array<float, kAngleBins> lateral_px;  // sigma
-  std::vector<float> axial_steps;            // sigma in steps: [step * kAngleBins + angle_bin]
-  std::vector<float> signal;                 // of reflectance 1: [step * kAngleBins + angle_bin]; below a
-                                             // number of `uniform` nothing comes back
-  std::vector<float> normal;                 // random numbers
+  float steps_m;    // disparity in steps = steps_m / z
+  float max_steps;  // where the minimum range lies
+  float axial_scale;
+  std::array<float, 256> lateral_px;  // sigma, by incidence byte, as below
+  std::array<float, 256> flat_m;      // what grazing adds to sigma_axial, times sqrt(z)
+  std::array<float, 256> signal;      // of reflectance 1 at z = 1; below a number of `uniform` nothing comes back
+  std::vector<float> normal;          // random numbers
   std::vector<float> uniform;
   std::vector<std::int8_t> colour;  // three times as many
 };
