@@ -15,23 +15,17 @@ FrameSource::FrameSource(const world::World& world, const CameraIntrinsics& intr
 
 FrameSource::~FrameSource() { wait_for_all(); }
 
-FrameSource::Shot FrameSource::shoot(Stamp stamp, const Scene& scene) {
+FrameSource::Shot FrameSource::shoot(const Scene& scene) {
   Shot shot;
-  RenderedFrame rendered;
-  {
-    const CpuMeter meter(shot.render_cpu_s);
-    rendered = renderer_.render(scene.T_world_camera, intrinsics_, scene.poses, {.hidden = scene.hidden});
-  }
-  const CpuMeter meter(shot.noise_cpu_s);
-  shot.instances = {stamp, intrinsics_.width, intrinsics_.height, std::move(rendered.instances)};
-  shot.frame = noise_.apply(std::move(rendered), stamp, random_);
+  const CpuMeter meter(shot.render_cpu_s);
+  shot.frame = renderer_.render(scene.T_world_camera, intrinsics_, scene.poses, {.hidden = scene.hidden});
   return shot;
 }
 
 void FrameSource::capture(Stamp now, Duration delay, Scene scene, const Transform<Base, Camera>& T_base_camera,
                           const Pose2<Odom, Base>& T_odom_base) {
-  auto job = [this, now, scene = std::move(scene)] { return shoot(now, scene); };
-  pending_.push_back({now + delay, T_base_camera, T_odom_base, worker_.submit(std::move(job))});
+  auto job = [this, scene = std::move(scene)] { return shoot(scene); };
+  pending_.push_back({now, now + delay, T_base_camera, T_odom_base, worker_.submit(std::move(job))});
 }
 
 std::optional<robot::CapturedFrame> FrameSource::arrival(Stamp now) {
@@ -40,10 +34,12 @@ std::optional<robot::CapturedFrame> FrameSource::arrival(Stamp now) {
   pending_.pop_front();
   Shot shot = first.shot.get();
   render_cpu_s_ += shot.render_cpu_s;
-  noise_cpu_s_ += shot.noise_cpu_s;
-  delivered_.push_back(std::move(shot.instances));
+  delivered_.push_back({first.stamp, intrinsics_.width, intrinsics_.height, std::move(shot.frame.instances)});
   if (delivered_.size() > kKeptFrames) delivered_.pop_front();
-  return robot::CapturedFrame{std::move(shot.frame), first.T_base_camera, first.T_odom_base};
+  // Noise is added here, so that two threads share the camera's work; frames arrive in the order of their stamps.
+  const CpuMeter meter(noise_cpu_s_);
+  return robot::CapturedFrame{noise_.apply(std::move(shot.frame), first.stamp, random_), first.T_base_camera,
+                              first.T_odom_base};
 }
 
 const world::InstanceImage* FrameSource::instances_of(Stamp stamp) const {

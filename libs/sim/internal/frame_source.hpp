@@ -1,5 +1,5 @@
 // The camera between the instant of a frame and its arrival: frames are rendered by the worker from copies of all
-// poses, in order, and joined when they are due.
+// poses, in order, and joined when they are due; the caller's thread adds the noise then.
 #pragma once
 
 #include <deque>
@@ -42,17 +42,16 @@ class FrameSource {
 
  private:
   struct Shot {
-    RgbdFrame frame;
-    world::InstanceImage instances;
-    double render_cpu_s = 0.0, noise_cpu_s = 0.0;
+    RenderedFrame frame;
+    double render_cpu_s = 0.0;
   };
   struct Pending {
-    Stamp arrives;
+    Stamp stamp, arrives;
     Transform<Base, Camera> T_base_camera;
     Pose2<Odom, Base> T_odom_base;
     std::future<Shot> shot;
   };
-  [[nodiscard]] Shot shoot(Stamp stamp, const Scene& scene);
+  [[nodiscard]] Shot shoot(const Scene& scene);
   void wait_for_all() const;
 
   CameraIntrinsics intrinsics_;
