@@ -11,7 +11,24 @@ constexpr double kTurnRate = 1.0;        // rad/s, on the spot
 constexpr double kTurnTolerance = 0.03;  // rad
 constexpr double kMinClearance = 0.24;   // m, below which a path is given up on the way
 constexpr double kLookAhead = 3.0;       // m of the path that is checked again
+constexpr double kStuckAfter = 4.0;      // s without getting anywhere
+constexpr double kMoved = 0.02;          // m, that is getting somewhere
+constexpr double kTurned = 0.05;         // rad, too
 constexpr double kStandsOn = 0.15;       // m round the base's middle: free, though its own sensors never see it
+
+/// Does the robot get on? Something that no sensor shows may hold it.
+class StuckWatch {
+ public:
+  explicit StuckWatch(const PoseEstimate& now) : last_(now) {}
+  bool stuck(const PoseEstimate& now) {
+    const Pose2<Base, Base> since = last_.T_map_base.inverse() * now.T_map_base;
+    if (since.position().norm() > kMoved || std::abs(since.yaw_rad) > kTurned) last_ = now;
+    return seconds(now.stamp - last_.stamp) > kStuckAfter;
+  }
+
+ private:
+  PoseEstimate last_;
+};
 
 }  // namespace
 
@@ -92,6 +109,7 @@ DriveReport Navigator::follow(motion::Path path, const std::function<bool()>& po
   follower_.start(std::move(path));
   robot::Command command;
   command.tilt_rad = params_.navigator.head_tilt_rad;
+  StuckWatch watch(perception_.pose());
   while (true) {
     const motion::FollowStep next = follower_.step(perception_.pose().T_map_base, map_, hits_base(), kPeriod);
     command.velocity_base_m_s = next.velocity_base_m_s;
@@ -101,6 +119,7 @@ DriveReport Navigator::follow(motion::Path path, const std::function<bool()>& po
     if (next.status != motion::FollowStatus::kDriving) {
       return {DriveOutcome::kFailed, std::string(motion::to_string(next.status))};
     }
+    if (watch.stuck(perception_.pose())) return {DriveOutcome::kFailed, "stuck"};
     if (perception_.now() < next_refresh_) continue;
     if (pointless()) return {DriveOutcome::kPointless, ""};
     refresh();  // after pointless(), which may have set another floor
