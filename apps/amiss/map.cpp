@@ -13,6 +13,7 @@
 #include "report/floor_plan.hpp"
 #include "report/run_folder.hpp"
 #include "resources.hpp"
+#include "start_pose.hpp"
 
 namespace amiss::app {
 
@@ -21,6 +22,7 @@ namespace {
 struct MapArguments {
   std::string world, out, params_file, robot;
   std::vector<std::string> overrides, model_paths;
+  std::vector<double> start;
   std::uint64_t seed = 1;
   bool quiet = false;
 };
@@ -50,7 +52,7 @@ int run(const MapArguments& a) {
   for (const std::string& path : a.model_paths) load.model_paths.emplace_back(path);
   const world::World world = world::load_world(find_world(resources, a.world), load);
   const robot::Model model = robot::load_model(a.robot.empty() ? resources.robot : std::filesystem::path(a.robot));
-  const Pose2<World, Base> start = world.robot_start ? *world.robot_start : sim::free_start(world, model);
+  const Pose2<World, Base> start = start_pose(world, model, a.start);
   const std::string name = world.file.stem().string();
   const report::RunFolder folder(a.out.empty() ? report::unused_folder("runs", "map-" + name)
                                                : std::filesystem::path(a.out));
@@ -93,12 +95,16 @@ void add_map_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<MapArguments>();
   CLI::App* map = app.add_subcommand("map", "the one-time mapping run that makes the reference of a world");
   map->add_option("--world", a->world, "name (see `amiss worlds`) or SDF file")->required();
-  map->add_option("--seed", a->seed, "of everything random")->capture_default_str();
+  map->add_option("--seed", a->seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
   map->add_option("--out", a->out, "run folder [runs/map-WORLD]");
   map->add_option("--params", a->params_file, "YAML file of parameters");
   map->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated");
   map->add_option("--robot", a->robot, "URDF file of another robot");
   map->add_option("--model-path", a->model_paths, "folder searched for model:// names; may be repeated");
+  map->add_option("--start", a->start, "where the robot begins: X,Y,HEADING of the world in m and degrees")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(-1e4, 1e4));
   map->add_flag("--quiet", a->quiet, "no progress, no summary");
   map->callback([a, &exit_status] { exit_status = run(*a); });
 }

@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
 #include "commands.hpp"
+#include "core/result.hpp"
 #include "tidy_run.hpp"
 
 namespace amiss::app {
@@ -21,7 +23,9 @@ void add_tidy_command(CLI::App& app, int& exit_status) {
   tidy->add_option("--reference-world", a->options.reference_world, "SDF file of the tidy state, if it is another one");
   tidy->add_option("--objects", a->objects, "how many objects are scattered [5]")->check(CLI::Range(0, 100));
   tidy->add_option("--scatter", a->options.scatter_file, "YAML file that says what lies where instead");
-  tidy->add_option("--seed", a->options.seed, "of everything random")->capture_default_str();
+  tidy->add_option("--seed", a->options.seed, "of everything random")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   tidy->add_option("--until", a->until, "end when all was found (the referee tells) or when the robot has seen all")
       ->check(CLI::IsMember({"found", "explored"}))
       ->capture_default_str();
@@ -33,11 +37,16 @@ void add_tidy_command(CLI::App& app, int& exit_status) {
   tidy->add_option("--out", a->options.out, "run folder [runs/tidy-WORLD-SEED]");
   tidy->add_option("--robot", a->options.robot, "URDF file of another robot");
   tidy->add_option("--model-path", a->options.model_paths, "folder searched for model:// names; may be repeated");
+  tidy->add_option("--start", a->options.start, "where the robot begins: X,Y,HEADING of the world in m and degrees")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(-1e4, 1e4));
   tidy->add_option("--threads", a->options.threads, "1 or 2; the result is the same")->check(CLI::Range(1, 2));
   tidy->add_flag("--json", a->json, "print report.json and nothing else on standard output");
   tidy->add_flag("--quiet", a->options.quiet, "no progress, no table");
   tidy->add_flag("--print-params", a->print_params, "print all parameters with ranges and meanings, and end");
   tidy->callback([a, &exit_status] {
+    if (std::isnan(a->options.time_limit_s)) throw ArgumentError("--time-limit nan: 1 .. 1000000 s are allowed");
     Settings settings = load_settings(a->params_file, a->overrides);
     if (a->print_params) {
       std::cout << settings.table().to_yaml();

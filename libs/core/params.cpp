@@ -38,7 +38,7 @@ std::string degrees_text(double radians) {
 }
 
 std::string range_text(const std::string& low, const std::string& high, const std::string& unit) {
-  return low + " .. " + high + (unit.empty() ? "" : " " + unit);
+  return low + " .. " + high + (unit.empty() || unit == "1" ? "" : " " + unit);
 }
 
 /// The leaves of nested maps, each key once; errors name file:line.

@@ -1,4 +1,6 @@
 // Any bytes as an SDF file: a world or an InputError, never a crash.
+#include <unistd.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -18,5 +20,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   } catch (const amiss::InputError&) {
   }
+  std::filesystem::remove(file);
   return 0;
 }
