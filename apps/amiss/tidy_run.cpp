@@ -16,6 +16,7 @@
 #include "reference_cache.hpp"
 #include "report/run_folder.hpp"
 #include "resources.hpp"
+#include "start_pose.hpp"
 #include "tidy_observer.hpp"
 #include "world/catalogue.hpp"
 
@@ -54,8 +55,7 @@ Scene load_scene(const TidyOptions& options, const Settings& settings) {
                               ? scene.world
                               : world::load_world(find_world(scene.resources, options.reference_world), load);
   scene.model = robot::load_model(options.robot.empty() ? scene.resources.robot : std::filesystem::path(options.robot));
-  scene.start = scene.reference_world.robot_start ? *scene.reference_world.robot_start
-                                                  : sim::free_start(scene.reference_world, scene.model);
+  scene.start = start_pose(scene.reference_world, scene.model, options.start);
   return scene;
 }
 

@@ -21,6 +21,7 @@ struct TidyOptions {
   std::string out;
   std::string robot;  // URDF file
   std::vector<std::string> model_paths;
+  std::vector<double> start;  // x and y in m, heading in degrees, of the world; empty: as the world says
   int threads = 2;
   bool quiet = false;
 };
