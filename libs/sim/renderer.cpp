@@ -64,7 +64,6 @@ Renderer::State::State(const world::World& world) : background(world.background)
   gl.CullFace(GL_BACK);
   gl.FrontFace(GL_CW);  // rows run downwards, so the picture that GL draws is mirrored
   gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  gl.ColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   for (const world::Body& body : world.bodies) scene.add(gl, internal::body_mesh(body));
 }
@@ -124,7 +123,6 @@ void Renderer::State::draw(const GlFunctions& gl, std::span<const internal::Draw
       gl.Enablei(GL_BLEND, 0);
       gl.DepthMask(GL_FALSE);
       gl.ColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-      gl.ColorMaski(2, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     }
     const GlProgram& program = programs[program_index(batch)];
     gl.UseProgram(program.id);
@@ -143,7 +141,6 @@ void Renderer::State::draw(const GlFunctions& gl, std::span<const internal::Draw
   gl.Disablei(GL_BLEND, 0);
   gl.DepthMask(GL_TRUE);
   gl.ColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.ColorMaski(2, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 Renderer::Renderer(const world::World& world) {
@@ -192,7 +189,7 @@ RenderedFrame Renderer::render(const Transform<amiss::World, Camera>& T_world_ca
   state_->set_camera(scope.gl, intrinsics, options);
   state_->draw(scope.gl, draw_list(state_->scene.bodies(), T_camera_bodies, intrinsics, options), T_camera_bodies,
                R_world_bodies);
-  state_->targets.read(scope.gl, frame);
+  state_->targets.read(scope.gl, options, frame);
   return frame;
 }
 

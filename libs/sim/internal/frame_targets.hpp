@@ -1,4 +1,4 @@
-// The frame buffer that the renderer draws into: colour, depth in metres and packed facts, row 0 on top.
+// The frame buffer that the renderer draws into: colour, packed facts and depth, row 0 on top.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,13 +15,13 @@ class FrameTargets {
   /// Bind and clear.
   void begin(const GlFunctions& gl, const Eigen::Vector3f& background) const;
   /// Transfer what was drawn.
-  void read(const GlFunctions& gl, RenderedFrame& frame);
+  void read(const GlFunctions& gl, const RenderOptions& options, RenderedFrame& frame);
   void release(const GlFunctions& gl);
 
  private:
   int width_ = 0, height_ = 0;
   GLuint framebuffer_ = 0;
-  GLuint buffers_[4] = {0, 0, 0, 0};  // colour, depth in metres, facts, the depth test's own
+  GLuint buffers_[3] = {0, 0, 0};  // colour, facts, depth
   std::vector<std::uint32_t> scratch_;
 };
 

@@ -18,18 +18,19 @@ uniform vec3 light_direction[2];
 uniform vec3 light_colour[2];
 uniform float two_sided;
 out vec4 surface;           // lit colour, reflectance
-out vec3 n_camera;
 #ifdef TEXTURED
 out vec2 uv;
 #endif
 #ifdef TRANSPARENT
 out float alpha;
+#else
+out float facing;           // z * cosine of the angle between ray and normal * length of the ray to z = 1
 #endif
 void main() {
   vec3 p = (T_camera_body * vec4(position, 1.0)).xyz;
   gl_Position = vec4(lens.xy * p.xy + lens.zw * p.z, depth_range.x * p.z + depth_range.y, p.z);
-  n_camera = mat3(T_camera_body) * normal.xyz;
-  float side = two_sided > 0.5 && dot(n_camera, p) > 0.0 ? -1.0 : 1.0;
+  float towards = dot(mat3(T_camera_body) * normal.xyz, p);
+  float side = two_sided > 0.5 && towards > 0.0 ? -1.0 : 1.0;
   vec3 n = side * (R_world_body * normal.xyz);
   vec3 light = ambient * (0.85 + 0.3 * n.z);  // more from the sky than from the floor
   for (int i = 0; i < 2; ++i) {
@@ -43,13 +44,14 @@ void main() {
 #endif
 #ifdef TRANSPARENT
   alpha = vertex_colour.a;
+#else
+  facing = towards;
 #endif
 }
 )";
 
 inline constexpr const char* kFragmentShader = R"(
 in vec4 surface;
-in vec3 n_camera;
 #ifdef TEXTURED
 in vec2 uv;
 uniform sampler2D picture;
@@ -60,8 +62,8 @@ in float alpha;
 #else
 uniform vec4 ray;           // pixel -> x / z, y / z: two factors, two offsets
 uniform uint instance;
-layout(location = 1) out float depth;
-layout(location = 2) out uint facts;   // instance, reflectance << 16, incidence << 24
+in float facing;
+layout(location = 1) out uint facts;   // instance, reflectance << 16, incidence << 24
 #endif
 void main() {
   vec4 seen = surface;
@@ -73,9 +75,8 @@ void main() {
   colour = vec4(seen.rgb, alpha);
 #else
   colour = vec4(seen.rgb, 1.0);
-  depth = 1.0 / gl_FragCoord.w;
-  vec3 towards = vec3(gl_FragCoord.xy * ray.xy + ray.zw, 1.0);
-  float cosine = abs(dot(n_camera, towards)) * inversesqrt(dot(n_camera, n_camera) * dot(towards, towards));
+  vec2 ray_xy = gl_FragCoord.xy * ray.xy + ray.zw;
+  float cosine = abs(facing) * gl_FragCoord.w * inversesqrt(1.0 + dot(ray_xy, ray_xy));
   uint reflected = uint(min(seen.a, 1.0) * 255.0 + 0.5), turned = uint(min(cosine, 1.0) * 255.0 + 0.5);
   facts = instance | (reflected << 16u) | (turned << 24u);
 #endif
