@@ -68,16 +68,21 @@ std::vector<sim::ScatteredObject> choose_objects(const TidyOptions& options, con
                       settings.scatter);
 }
 
-/// What is to be found: what was scattered, and bodies of today's world that the reference world does not have.
-std::vector<world::ObjectTruth> placed_objects(const Scene& scene, const std::vector<sim::ScatteredObject>& scattered,
-                                               const world::Truth& truth) {
-  std::set<std::string> wanted;
-  for (const sim::ScatteredObject& object : scattered) wanted.insert(object.name);
-  std::set<std::string> known;
+/// Bodies of today's world that the reference world does not have, whether anything can move them or not.
+std::set<std::string> new_bodies(const Scene& scene) {
+  std::set<std::string> known, found;
   for (const world::Body& body : scene.reference_world.bodies) known.insert(body.name);
   for (const world::Body& body : scene.world.bodies) {
-    if (!known.contains(body.name)) wanted.insert(body.name);
+    if (!known.contains(body.name)) found.insert(body.name);
   }
+  return found;
+}
+
+/// What is to be found: what was scattered, and what is new.
+std::vector<world::ObjectTruth> placed_objects(const Scene& scene, const std::vector<sim::ScatteredObject>& scattered,
+                                               const world::Truth& truth) {
+  std::set<std::string> wanted = new_bodies(scene);
+  for (const sim::ScatteredObject& object : scattered) wanted.insert(object.name);
   std::vector<world::ObjectTruth> placed;
   std::copy_if(truth.objects.begin(), truth.objects.end(), std::back_inserter(placed),
                [&](const world::ObjectTruth& o) { return wanted.contains(o.name); });
@@ -125,6 +130,7 @@ std::unique_ptr<sim::Simulator> make_simulator(const TidyOptions& options, const
                                                const std::vector<sim::ScatteredObject>& scattered, Worker& worker) {
   auto simulator =
       std::make_unique<sim::Simulator>(scene.world, scene.model, settings.simulator, options.seed, scene.start, worker);
+  for (const std::string& name : new_bodies(scene)) simulator->tell_of(name);
   for (const sim::ScatteredObject& object : scattered) {
     world::Body body = catalogue.at(object.kind).body;
     body.name = object.name;

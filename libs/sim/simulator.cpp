@@ -56,6 +56,7 @@ struct Simulator::Impl {
   RandomStream laser_noise;
   OdometryModel odometry;
   std::vector<std::string> kinds;              // by body, empty for the world's own
+  std::vector<bool> told_of;                   // by body
   std::vector<std::uint64_t> laser_revisions;  // of the cuts that the laser has, by body
   CpuTime cpu;
   internal::FrameSource camera;  // last: its pending jobs end before anything else does
@@ -85,6 +86,7 @@ Simulator::Impl::Impl(world::World world_, robot::Model model_, const SimulatorP
       laser_noise(seed, "laser"),
       odometry(params.odometry, RandomStream(seed, "odometry"), start),
       kinds(world.bodies.size()),
+      told_of(world.bodies.size(), false),
       laser_revisions(world.bodies.size(), kNeverCut),
       camera(world, model.camera, params.depth, seed, worker) {}
 
@@ -185,7 +187,7 @@ world::Truth Simulator::truth() const {
   const Impl& s = *impl_;
   world::Truth truth{s.now, s.T_world_base, {}};
   for (std::size_t i = 0; i < s.world.bodies.size(); ++i) {
-    if (!s.physics.is_present(i) || !s.is_object(i)) continue;
+    if (!s.physics.is_present(i) || !(s.is_object(i) || s.told_of[i])) continue;
     truth.objects.push_back({s.world.bodies[i].name, s.kinds[i], static_cast<std::uint16_t>(i + 1), s.physics.pose(i),
                              s.physics.bounds(i)});
   }
@@ -222,6 +224,7 @@ std::uint16_t Simulator::add_object(const world::Body& body, const Transform<ami
   world::Body& added = s.world.bodies.emplace_back(body);
   added.pose = pose;
   s.kinds.push_back(kind);
+  s.told_of.push_back(false);
   s.laser_revisions.push_back(kNeverCut);
   s.physics.add(added);
   s.camera.add_body(added);
@@ -237,6 +240,12 @@ void Simulator::move_object(const std::string& name, const Transform<amiss::Worl
 void Simulator::remove_object(const std::string& name) {
   impl_->physics.remove(impl_->object_named(name, "remove_object"));
   impl_->robot.statics_changed();
+}
+
+void Simulator::tell_of(const std::string& name) {
+  const std::optional<std::size_t> index = impl_->find(name);
+  if (!index) throw ArgumentError("tell_of: '" + name + "' is not in the world");
+  impl_->told_of[*index] = true;
 }
 
 Simulator::CpuTime Simulator::cpu_time() const {

@@ -47,7 +47,7 @@ class Simulator final : public robot::Robot {
   void command(const robot::Command& command) override;
   robot::Observation observe() override;
 
-  /// All movable bodies of the world, then what was added; `kind` of the world's own bodies is empty.
+  /// All movable bodies of the world, those told of, then what was added; `kind` of the world's own bodies is empty.
   [[nodiscard]] world::Truth truth() const;
   [[nodiscard]] const std::vector<world::Collision>& collisions() const;
   /// The ids of one of the last 20 frames that were delivered, by the stamp of the frame; nullptr for all others.
@@ -63,6 +63,8 @@ class Simulator final : public robot::Robot {
                            const std::string& kind);
   void move_object(const std::string& name, const Transform<amiss::World, Object>& pose);
   void remove_object(const std::string& name);
+  /// From now on truth() tells of this body of the world even if nothing can move it. ArgumentError for nobody's name.
+  void tell_of(const std::string& name);
 
   /// CPU time of the calling thread or the worker's, by part, since the start; no decision and no report's digest may
   /// rest on it.

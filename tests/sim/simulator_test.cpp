@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -150,6 +151,20 @@ TEST(Simulator, TruthTellsOfObjectsOnly) {
   simulator.remove_object("book");
   EXPECT_EQ(simulator.truth().objects.size(), 2U);
   EXPECT_EQ(simulator.world_now().bodies.size(), 8U);
+}
+
+TEST(Simulator, TruthTellsOfStaticBodiesThatItIsToldOf) {
+  Worker worker(false);
+  Simulator simulator(playroom(), small_camera_robot(), small_camera_params(), 1, {1, 2, 0}, worker);
+  const std::size_t before = simulator.truth().objects.size();
+  simulator.tell_of("cupboard");
+  const world::Truth truth = simulator.truth();
+  ASSERT_EQ(truth.objects.size(), before + 1);
+  const auto cupboard = std::find_if(truth.objects.begin(), truth.objects.end(),
+                                     [](const world::ObjectTruth& o) { return o.name == "cupboard"; });
+  ASSERT_NE(cupboard, truth.objects.end());
+  EXPECT_LT((cupboard->bounds.center() - Eigen::Vector3d(4.7, 3, 0.6)).norm(), 0.05);
+  EXPECT_THROW(simulator.tell_of("nobody"), ArgumentError);
 }
 
 TEST(Simulator, ScriptedChangesAreChecked) {
