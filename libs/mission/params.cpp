@@ -10,6 +10,8 @@ void describe(ParamTable& table, SearchParams& p) {
                "simulated cost of segmenting a cropped frame");
   table.integer("search.viewpoints", p.viewpoints, 1, 12, "of one region that are tried");
   table.integer("search.max_replans", p.max_replans, 1, 100000, "guard against going round in circles");
+  table.number("search.fine_gain", p.fine_gain_m2, "m2", 0.01, 1.0,
+               "of a view triangle once the large ones are used up");
   table.number("search.explored_at", p.explored_at, "", 0.1, 1.0,
                "part of the reachable floor that counts as explored");
 }

@@ -23,7 +23,8 @@ struct SearchParams {
   double segment_region_s = 1.0;  // simulated cost of segmenting a cropped frame
   int viewpoints = 3;             // of one region that are tried
   int max_replans = 400;          // the guard against going round in circles
-  double explored_at = 0.97;      // part of the reachable floor seen that counts as explored
+  double fine_gain_m2 = 0.08;     // of a view triangle, once the large ones are used up
+  double explored_at = 0.995;     // part of the reachable floor seen that counts as explored
 };
 void describe(ParamTable& table, SearchParams& p);
 

@@ -208,26 +208,47 @@ bool Search::is_pointless(const Visit& visit) {
 }
 
 bool Search::is_covered(const view::ViewTriangle& view) {
-  return !looking_again_ &&
-         view::covered_fraction(view, perception_.obstacles().seen_floor()) > params_.triangle.drop_above;
+  if (looking_ == Looking::kAgain) return false;
+  const double known = view::covered_fraction(view, perception_.obstacles().seen_floor());
+  if (looking_ == Looking::kCoarsely) return known > params_.triangle.drop_above;
+  const double cell_m = reference_.floor.resolution_m();
+  const double unseen_m2 = (1.0 - known) * static_cast<double>(view.floor_m.size()) * cell_m * cell_m;
+  return unseen_m2 < 0.5 * params_.search.fine_gain_m2;
+}
+
+std::vector<view::ViewTriangle> Search::sample_view_triangles() {
+  view::TriangleParams triangle = params_.triangle;
+  if (looking_ == Looking::kFinely) {
+    triangle.min_gain_m2 = params_.search.fine_gain_m2;
+    triangle.coverage_goal = 1.0;
+  }
+  const FloorGrid nothing;
+  const FloorGrid& covered = looking_ == Looking::kAgain ? nothing : perception_.obstacles().seen_floor();
+  const motion::PathLengths ways = navigator_.ways_from_here();
+  auto cover =
+      view::cover_with_triangles(navigator_.drive_map().grid(), ways.field(), covered, triangle, triangles_random_);
+  std::erase_if(cover.triangles, [this](const view::ViewTriangle& t) { return is_covered(t); });
+  return std::move(cover.triangles);
 }
 
 bool Search::add_view_triangles() {
-  const motion::PathLengths ways = navigator_.ways_from_here();
-  const FloorGrid nothing;
-  looking_again_ = coverage() >= params_.search.explored_at;
-  if (looking_again_ && !keep_searching_) return false;
-  const FloorGrid& seen = perception_.obstacles().seen_floor();
-  const auto cover = view::cover_with_triangles(navigator_.drive_map().grid(), ways.field(),
-                                                looking_again_ ? nothing : seen, params_.triangle, triangles_random_);
+  std::vector<view::ViewTriangle> triangles;
+  while (triangles.empty()) {
+    if (looking_ != Looking::kAgain && coverage() >= params_.search.explored_at) looking_ = Looking::kAgain;
+    if (looking_ == Looking::kAgain && !keep_searching_) return false;
+    triangles = sample_view_triangles();
+    if (!triangles.empty()) break;
+    if (looking_ == Looking::kAgain) return false;
+    looking_ = looking_ == Looking::kCoarsely ? Looking::kFinely : Looking::kAgain;
+  }
   std::vector<knowledge::View> views;
-  for (const view::ViewTriangle& t : cover.triangles) {
+  for (const view::ViewTriangle& t : triangles) {
     views.push_back({0, t.T_map_base, t.angle_rad, t.height_m, false, std::nullopt});
   }
   const std::vector<int> ids = knowledge_.add_views(views);
-  for (std::size_t i = 0; i < ids.size(); ++i) open_views_.emplace(ids[i], cover.triangles[i]);
+  for (std::size_t i = 0; i < ids.size(); ++i) open_views_.emplace(ids[i], std::move(triangles[i]));
   report_.view_triangles += static_cast<int>(ids.size());
-  return !ids.empty();
+  return true;
 }
 
 std::optional<Visit> Search::viewpoint_of(const knowledge::Region& region, const motion::PathLengths& ways) {

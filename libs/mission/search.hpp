@@ -40,6 +40,9 @@ class Search {
 
  private:
   enum class Progress { kDone, kReplan, kEnded };
+  /// Which view triangles are worth a way: those of the thesis, then those that show what these left out, then, when
+  /// all was seen and still something is to be found, all of them again.
+  enum class Looking { kCoarsely, kFinely, kAgain };
 
   // The thesis' loop: explore -> compare -> merge -> plan -> drive and look -> segment.
   Progress carry_out(const VisitPlan& plan);
@@ -56,6 +59,7 @@ class Search {
   std::optional<VisitPlan> make_plan(const std::vector<Visit>& visits);
   Progress wait();
   [[nodiscard]] bool is_covered(const view::ViewTriangle& view);
+  std::vector<view::ViewTriangle> sample_view_triangles();
   [[nodiscard]] bool is_pointless(const Visit& visit);
   [[nodiscard]] double coverage();
   void report_progress();
@@ -65,7 +69,7 @@ class Search {
   const plan::Domain& domain_;
   const Params& params_;
   const bool keep_searching_;
-  bool looking_again_ = false;  // all was seen once: triangles are visited though their floor is known
+  Looking looking_ = Looking::kCoarsely;
   const Sinks& sinks_;
   RandomStream triangles_random_;
   mapping::ObstacleLayer static_obstacles_;
