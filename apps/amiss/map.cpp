@@ -51,7 +51,8 @@ int run(const MapArguments& a) {
   world::LoadOptions load = settings.world;
   for (const std::string& path : a.model_paths) load.model_paths.emplace_back(path);
   const world::World world = world::load_world(find_world(resources, a.world), load);
-  const robot::Model model = robot::load_model(a.robot.empty() ? resources.robot : std::filesystem::path(a.robot));
+  const std::filesystem::path robot_file = a.robot.empty() ? resources.robot : std::filesystem::path(a.robot);
+  const robot::Model model = robot::load_model(robot_file);
   const Pose2<World, Base> start = start_pose(world, model, a.start);
   const std::string name = world.file.stem().string();
   const report::RunFolder folder(a.out.empty() ? report::unused_folder("runs", "map-" + name)
@@ -66,7 +67,7 @@ int run(const MapArguments& a) {
   sinks.log = [&log](Stamp stamp, const std::string& what) {
     log += fmt::format("{:9.2f} s  {}\n", seconds(stamp), what);
   };
-  const MappingOutcome outcome = run_mapping({world, model, start, a.seed}, settings, true, sinks);
+  const MappingOutcome outcome = run_mapping({world, model, start, robot_file, a.seed}, settings, true, sinks);
   progress.clear();
 
   folder.save("log.txt", log);

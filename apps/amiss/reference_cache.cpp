@@ -15,13 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kFormat = "reference 1";
+// Counts up when the mapping run changes, so that references of an older program are not used.
+constexpr std::string_view kFormat = "reference 2";
 constexpr double kMappingTimeLimit = 4.0 * 3600.0;  // s, simulated
 
 std::string cache_key(const MappingInput& input, Settings& settings) {
   const std::string start = fmt::format("{} {} {}", input.start.x_m, input.start.y_m, input.start.yaw_rad);
   return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", kFormat, AMISS_VERSION, world::fingerprint(input.world),
-                            sha256(input.model.name), start, settings.reference_key()));
+                            sha256(load_bytes(input.robot_file)), start, settings.reference_key()));
 }
 
 }  // namespace

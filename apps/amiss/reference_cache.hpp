@@ -21,6 +21,7 @@ struct MappingInput {
   const world::World& world;
   const robot::Model& model;
   Pose2<World, Base> start;
+  std::filesystem::path robot_file;  // the model's URDF
   std::uint64_t seed = 1;
 };
 

@@ -54,7 +54,8 @@ Scene load_scene(const TidyOptions& options, const Settings& settings) {
   scene.reference_world = options.reference_world.empty()
                               ? scene.world
                               : world::load_world(find_world(scene.resources, options.reference_world), load);
-  scene.model = robot::load_model(options.robot.empty() ? scene.resources.robot : std::filesystem::path(options.robot));
+  if (!options.robot.empty()) scene.resources.robot = options.robot;
+  scene.model = robot::load_model(scene.resources.robot);
   scene.start = start_pose(scene.reference_world, scene.model, options.start);
   return scene;
 }
@@ -115,7 +116,7 @@ std::optional<PreparedReference> prepare_reference(const TidyOptions& options, S
   mission::Sinks sinks;
   sinks.stop = interrupted;
   sinks.progress = [&](const mission::ProgressEvent& event) { progress.show(event, "mapping"); };
-  const MappingInput input{scene.reference_world, scene.model, scene.start};
+  const MappingInput input{scene.reference_world, scene.model, scene.start, scene.resources.robot};
   const double before = watch.seconds_s();
   auto prepared = cached_reference(input, settings, options.threads > 1, sinks, [&] {
     if (!options.quiet) std::cerr << "amiss: mapping " << scene.reference_world.file.stem().string() << " once\n";
