@@ -33,6 +33,7 @@ const std::map<std::string, std::string> kTestedBy = {
     {"mission/perception", "apps/tidy_test.cpp"},
     {"mission/navigator", "apps/tidy_test.cpp"},
     {"mission/search", "apps/tidy_test.cpp"},
+    {"mission/search_views", "apps/tidy_test.cpp"},
     {"mission/mapping_run", "apps/tidy_test.cpp"},
 };
 
