@@ -1,6 +1,8 @@
 #include "mission/navigator.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace amiss::mission {
 
@@ -15,6 +17,11 @@ constexpr double kStuckAfter = 4.0;      // s without getting anywhere
 constexpr double kMoved = 0.02;          // m, that is getting somewhere
 constexpr double kTurned = 0.05;         // rad, too
 constexpr double kStandsOn = 0.15;       // m round the base's middle: free, though its own sensors never see it
+
+constexpr int kDirections = 32;            // that backing off tries
+constexpr double kBackOff = 0.15;          // m
+constexpr double kBackOffSpeed = 0.1;      // m/s
+constexpr double kWorthBackingOff = 0.03;  // m of clearance gained
 
 /// Does the robot get on? Something that no sensor shows may hold it.
 class StuckWatch {
@@ -101,8 +108,41 @@ DriveReport Navigator::drive_to(const Pose2<Map, Base>& goal, double tolerance_m
     report = follow(planned->path, pointless);
     if (report.outcome != DriveOutcome::kFailed) return report;
     perception_.sinks().log(perception_.now(), "stopped on the way: " + report.why);
+    if (!back_off()) return {DriveOutcome::kEnded, ""};
   }
   return report;
+}
+
+bool Navigator::back_off() {
+  refresh();
+  const Eigen::Vector2d here = perception_.pose().T_map_base.position();
+  if (map_.clearance_at(here) >= map_.params().robot_radius_m) return true;
+  Eigen::Vector2d best = Eigen::Vector2d::Zero();
+  double most_m = map_.clearance_at(here) + kWorthBackingOff;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kDirections;
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    double clearance_m = map_.clearance_at(here);
+    for (double way_m = 0.05; way_m <= kBackOff + 1e-9 && clearance_m > 0.0; way_m += 0.05) {
+      const double next_m = map_.clearance_at(here + way_m * direction);
+      clearance_m = next_m + 0.01 >= clearance_m ? next_m : 0.0;  // never nearer to anything on the way
+    }
+    if (clearance_m > most_m) {
+      most_m = clearance_m;
+      best = direction;
+    }
+  }
+  if (best.isZero()) return true;
+  robot::Command command;
+  command.tilt_rad = params_.navigator.head_tilt_rad;
+  const Stamp until = perception_.now() + duration_of(2.0 * kBackOff / kBackOffSpeed);
+  while ((perception_.pose().T_map_base.position() - here).norm() < kBackOff && perception_.now() < until) {
+    const Eigen::Rotation2Dd R_base_map(-perception_.pose().T_map_base.yaw_rad);
+    command.velocity_base_m_s = kBackOffSpeed * (R_base_map * best);
+    if (!perception_.step(command)) return false;
+    if (perception_.bumper()) return true;
+  }
+  return true;
 }
 
 DriveReport Navigator::follow(motion::Path path, const std::function<bool()>& pointless) {

@@ -58,6 +58,8 @@ class Navigator {
 
  private:
   void refresh();
+  /// Straight away from what is nearer than the robot's radius; false when the mission ended meanwhile.
+  bool back_off();
   [[nodiscard]] std::vector<Eigen::Vector2d> hits_base() const;
   DriveReport follow(motion::Path path, const std::function<bool()>& pointless);
 
