@@ -24,7 +24,7 @@ struct ScatterParams {
   double start_distance_m = 0.8;       // from the robot's start
   double free_above_m = 1.2;           // nothing hangs over the object up to here
   double reach_m = 0.7;                // the robot's middle can come as near as this
-  double robot_radius_m = 0.30;        // of the disc that needs a free path
+  double robot_radius_m = 0.35;        // of the disc that needs a free path: 0.30 for driving and a cell of its map
   double drop_height_m = 0.05;
 };
 void describe(ParamTable& table, ScatterParams& params);
