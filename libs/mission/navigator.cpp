@@ -105,6 +105,7 @@ DriveReport Navigator::drive_to(const Pose2<Map, Base>& goal, double tolerance_m
         return {DriveOutcome::kEnded, ""};
       continue;
     }
+    perception_.sinks().path({perception_.now(), &planned->path});
     report = follow(planned->path, pointless);
     if (report.outcome != DriveOutcome::kFailed) return report;
     perception_.sinks().log(perception_.now(), "stopped on the way: " + report.why);

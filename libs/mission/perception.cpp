@@ -52,8 +52,9 @@ bool Perception::step(const robot::Command& command) {
     const Transform<Map, Camera> T_map_camera = camera_pose(*seen.frame);
     if (pose_.converged) voxels_.insert(seen.frame->frame, T_map_camera);
     last_frame_ = LocatedFrame{std::move(*seen.frame), T_map_camera};
+    sinks_.frame({&last_frame_->captured.frame, T_map_camera});
   }
-  sinks_.step({pose_, bumper_});
+  sinks_.step({pose_, bumper_, head_});
   return !sinks_.stop() && !out_of_time();
 }
 

@@ -79,8 +79,10 @@ SearchReport Search::run() {
 }
 
 Search::Progress Search::carry_out(const VisitPlan& plan) {
-  for (const PlannedStep& step : plan.steps) {
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const PlannedStep& step = plan.steps[i];
     Progress progress = Progress::kDone;
+    sinks_.acting({perception_.now(), i});
     switch (step.action) {
       case PlannedStep::Action::kGoto:
         progress = go_to(step.visit);
@@ -176,7 +178,7 @@ bool Search::compare() {
   const double before = sinks_.wall_clock_ms();
   const change::Difference& difference = differencer_.update(perception_.voxels());
   const auto regions = change::regions(difference.appeared, perception_.voxels(), params_.region);
-  sinks_.compared({perception_.now(), sinks_.wall_clock_ms() - before});
+  sinks_.compared({perception_.now(), sinks_.wall_clock_ms() - before, &difference, &perception_.voxels()});
   std::vector<knowledge::Sighting> sightings;
   for (const change::Region& r : regions) {
     const Eigen::Vector3d middle(r.centre_m.x(), r.centre_m.y(), 0.5 * (r.z_low_m + r.z_high_m));
@@ -209,7 +211,7 @@ std::optional<VisitPlan> Search::make_plan(const std::vector<Visit>& visits) {
     sinks_.log(perception_.now(), "no plan: " + plan.why());
     return std::nullopt;
   }
-  sinks_.planned({perception_.now(), report_.plans, plan->problem_pddl, plan::to_string(plan->plan)});
+  sinks_.planned({perception_.now(), report_.plans, plan->problem_pddl, plan::to_string(plan->plan), &plan->steps});
   return *plan;
 }
 

@@ -6,9 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "change/difference.hpp"
 #include "core/floor_grid.hpp"
 #include "core/sensors.hpp"
 #include "knowledge/knowledge_base.hpp"
+#include "mapping/voxel_map.hpp"
+#include "mission/visit_plan.hpp"
+#include "motion/path.hpp"
+#include "robot/robot.hpp"
 #include "segment/segment.hpp"
 
 namespace amiss::mission {
@@ -17,6 +22,13 @@ namespace amiss::mission {
 struct StepEvent {
   PoseEstimate pose;
   bool bumper = false;
+  robot::HeadState head;
+};
+
+/// A camera frame that arrived; it was taken at its own stamp.
+struct FrameEvent {
+  const RgbdFrame* frame = nullptr;  // lives during the call
+  Transform<Map, Camera> T_map_camera;
 };
 
 /// One segmentation action: the frame that was segmented and what came out.
@@ -33,12 +45,27 @@ struct PlanEvent {
   Stamp stamp;
   int number = 0;  // from 1
   std::string problem_pddl, plan_text;
+  const std::vector<PlannedStep>* steps = nullptr;  // lives during the call
+};
+
+/// A step of the latest plan that begins, from 0.
+struct ActionEvent {
+  Stamp stamp;
+  std::size_t step = 0;
+};
+
+/// A way that is about to be driven.
+struct PathEvent {
+  Stamp stamp;
+  const motion::Path* path = nullptr;  // lives during the call
 };
 
 /// One comparison of the current map with the reference.
 struct DifferenceEvent {
   Stamp stamp;
   double wall_ms = 0.0;
+  const change::Difference* difference = nullptr;  // they live during the call
+  const mapping::VoxelMap* current = nullptr;
 };
 
 struct ProgressEvent {
@@ -50,8 +77,11 @@ struct ProgressEvent {
 
 struct Sinks {
   std::function<void(const StepEvent&)> step = [](const StepEvent&) {};
+  std::function<void(const FrameEvent&)> frame = [](const FrameEvent&) {};
   std::function<void(const ExaminationEvent&)> examined = [](const ExaminationEvent&) {};
   std::function<void(const PlanEvent&)> planned = [](const PlanEvent&) {};
+  std::function<void(const ActionEvent&)> acting = [](const ActionEvent&) {};
+  std::function<void(const PathEvent&)> path = [](const PathEvent&) {};
   std::function<void(const DifferenceEvent&)> compared = [](const DifferenceEvent&) {};
   std::function<void(const ProgressEvent&)> progress = [](const ProgressEvent&) {};
   std::function<void(Stamp, const std::string&)> log = [](Stamp, const std::string&) {};
