@@ -1,6 +1,7 @@
 """Every piece of furniture: its name, what it is, how it is made."""
 import decoration
 import kitchen_bath
+import props
 import seating
 import storage
 import tables
@@ -79,9 +80,50 @@ FURNITURE = [
     (decoration.towel_rail, "towel_rail", "Towel rail with towels"),
     (decoration.basket, "basket_laundry", "Laundry basket", "wicker", 0.17, 0.21, 0.48, True),
     (decoration.basket, "bin_paper", "Waste paper bin", "graphite", 0.11, 0.14, 0.30, False),
+    (seating.sofa, "sofa_plain", "Sofa for three", "fabric_blue", (), 3, 2.15),
+    (seating.sofa, "sofa_grey", "Sofa for two", "fabric_grey", (), 2, 1.60),
+    (seating.sofa, "armchair_green", "Green armchair", "fabric_green", (), 1, 0.92),
+    (tables.coffee_table, "table_coffee_plain", "Coffee table with an empty shelf"),
+    (tables.dining_table, "table_plain", "Table with slab ends and a stretcher"),
+    (tables.desk, "desk_plain", "Desk with drawers", 1.60, "oak"),
+    (tables.desk, "desk_long", "Long desk with drawers", 1.80, "birch"),
+    (_cabinet, "sideboard_plain", "Sideboard, its top free", (0.42, 1.60, 0.78), "walnut", "walnut", 4, 1),
+    (_cabinet, "dresser_plain", "Chest of six drawers, its top free", (0.45, 1.20, 0.82), "oak", "white", 2, 3),
+    (storage.open_shelf, "shelf_free", "Open shelf on steel posts, boxes on its lowest board", 0.90, 1.45, 4,
+     storage.boxes_below),
+    (storage.bookcase, "bookcase_free", "Open bookcase, two boards of it free", 0.80, 1.66, 4, "birch"),
+    (kitchen_bath.kitchen_counter, "counter_plain", "Kitchen counter with stove and oven, a hole for the sink"),
+    (kitchen_bath.kitchen_sink, "kitchen_sink", "Sink for the kitchen counter"),
+    (props.monitor, "monitor", "Computer screen", 0.56),
+    (props.monitor, "monitor_wide", "Wide computer screen", 0.66),
+    (props.keyboard, "keyboard", "Keyboard"),
+    (props.mouse, "mouse", "Computer mouse"),
+    (props.laptop, "laptop", "Open laptop computer"),
+    (props.desk_lamp, "lamp_desk", "Desk lamp"),
+    (props.printer, "printer", "Printer"),
+    (props.telephone, "telephone", "Telephone"),
+    (props.paper_tray, "paper_tray", "Trays for paper"),
+    (props.pen_cup, "pen_cup", "Cup of pens"),
+    (props.coffee_machine, "coffee_machine", "Espresso machine"),
+    (props.kettle, "kettle", "Kettle"),
+    (props.toaster, "toaster", "Toaster"),
+    (props.knife_block, "knife_block", "Knife block"),
+    (props.utensils, "utensils", "Jar of cooking spoons"),
+    (props.dish_rack, "dish_rack", "Dish rack with plates"),
+    (props.pot, "pot", "Cooking pot"),
+    (props.vase, "vase", "Vase"),
+    (props.book_pile, "book_pile", "Pile of books"),
+    (props.cushion, "cushion_mustard", "Mustard cushion", "fabric_mustard"),
+    (props.cushion, "cushion_linen", "Light cushion", "linen"),
+    (props.cushion, "cushion_green", "Green cushion", "fabric_green"),
+    (props.storage_box, "storage_box_sage", "Storage box", "sage"),
+    (props.storage_box, "storage_box_terracotta", "Storage box", "terracotta"),
 ]
 OPTIONS = {"cupboard": {"doors": True}, "sideboard": {"doors": True}, "nightstand": {"things": False},
-           "filing_cabinet": {"things": False, "knob": "graphite", "leg": 0.05}, "cabinet_shoes": {"leg": 0.08}}
+           "filing_cabinet": {"things": False, "knob": "graphite", "leg": 0.05}, "cabinet_shoes": {"leg": 0.08},
+           "sideboard_plain": {"doors": True, "things": False}, "dresser_plain": {"things": False},
+           "table_coffee_plain": {"things": False}, "table_plain": {"things": False},
+           "counter_plain": {"fitted": False}, "bookcase_free": {"empty": (1, 3)}}
 
 
 def build_all():

@@ -24,29 +24,54 @@ def _tap(model, at):
     model.solid_box((0.15, 0.022, 0.03), (x + 0.08, y, z + 0.265))
 
 
-def kitchen_counter(name, about):
-    """0.62 x 2.85, 0.91 high: from the left (+y) drawers, sink, dish washer, stove with oven, drawers."""
+SINK = 0.62     # y of the sink in the counter
+
+
+def kitchen_sink(name, about):
+    """Basin and tap for the hole in a counter: stands where the counter stands."""
+    model = Model(name, about)
+    _sink(model)
+    return model
+
+
+def _sink(model):
+    _basin(model, "steel", (0.385, 0.505, 0.045), (0, SINK, 0.908))
+    _tap(model, (-0.245, SINK, 0.905))
+
+
+def kitchen_counter(name, about, fitted=True):
+    """0.62 x 2.85, 0.91 high: from the left (+y) drawers, sink, dish washer, stove with oven, drawers. Not `fitted`: a
+    hole where the sink goes, and nothing on it."""
     model, width = Model(name, about), 2.85
     model.box("graphite", (0.52, width - 0.01, 0.10), (-0.035, 0, 0.05))
     model.box("white", (0.56, width, 0.765), (-0.03, 0, 0.4825))
     model.solid_box((0.018, width, 0.76), (0.26, 0, 0.4825))
-    left, right, sink = width / 2, -width / 2, 0.62
+    left, right, sink = width / 2, -width / 2, SINK
     model.box("stone", (0.62, left - sink - 0.25, 0.04), (0, (left + sink + 0.25) / 2, 0.885), bevel=0.004)
     model.box("stone", (0.62, sink - 0.25 - right, 0.04), (0, (sink - 0.25 + right) / 2, 0.885), bevel=0.004)
     model.box("stone", (0.12, 0.50, 0.04), (0.25, sink, 0.885), bevel=0.004)
     model.box("stone", (0.12, 0.50, 0.04), (-0.25, sink, 0.885), bevel=0.004)
-    _basin(model, "steel", (0.385, 0.505, 0.045), (0, sink, 0.908))
-    _tap(model, (-0.245, sink, 0.905))
+    if fitted:
+        _sink(model)
     units = ((1.13, 0.58, "drawers"), (0.54, 0.60, "door"), (-0.06, 0.60, "washer"), (-0.66, 0.60, "stove"),
              (-1.19, 0.46, "drawers"))
     for y, wide, kind in units:
         _front(model, y, wide, kind)
     _hob(model, -0.66)
+    if fitted:
+        _on_counter(model)
+    return model
+
+
+def _on_counter(model):
+    red = [(0, 0), (0.10, 0), (0.105, 0.13), (0.108, 0.13), (0.098, 0.128), (0.095, 0.135), (0.05, 0.15), (0, 0.152)]
+    model.show("red", shapes.lathe(red, 20, False), (-0.11, -0.79, 0.914))
+    model.show("black", shapes.cushion((0.04, 0.04, 0.03), 10, 5, 0.8), (-0.11, -0.79, 1.075))
+    model.solid_cylinder(0.104, 0.15, (-0.11, -0.79, 0.99))
     model.box("oak", (0.30, 0.20, 0.02), (0.05, -1.15, 0.915), (0, 0, 0.2), bevel=0.004)
     for k, (y, r, paint) in enumerate(((1.20, 0.05, "terracotta"), (1.30, 0.04, "cream"), (1.08, 0.045, "sage"))):
         model.cylinder(paint, r, 0.20 - 0.03 * k, (-0.18, y, 1.005 - 0.015 * k), segments=16)
         model.show("oak", shapes.cylinder(r * 0.9, 0.02, 16), (-0.18, y, 1.115 - 0.03 * k))
-    return model
 
 
 def _front(model, y, wide, kind):
@@ -73,10 +98,6 @@ def _hob(model, y):
     model.trim("black", (0.50, 0.56, 0.008), (0, y, 0.909), bevel=0.002)
     for x, dy, r in ((0.11, 0.13, 0.09), (0.11, -0.13, 0.075), (-0.11, 0.13, 0.075), (-0.11, -0.13, 0.10)):
         model.show("graphite", shapes.cylinder(r, 0.001, 20), (x, y + dy, 0.9135))
-    pot = [(0, 0), (0.10, 0), (0.105, 0.13), (0.108, 0.13), (0.098, 0.128), (0.095, 0.135), (0.05, 0.15), (0, 0.152)]
-    model.show("red", shapes.lathe(pot, 20, False), (-0.11, y - 0.13, 0.914))
-    model.show("black", shapes.cushion((0.04, 0.04, 0.03), 10, 5, 0.8), (-0.11, y - 0.13, 1.075))
-    model.solid_cylinder(0.104, 0.15, (-0.11, y - 0.13, 0.99))
 
 
 def kitchen_wall_unit(name, about):

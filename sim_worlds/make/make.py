@@ -7,6 +7,7 @@ import catalogue
 import flat_90
 import lab_30
 import pictures
+import rooms
 import textures
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -20,7 +21,7 @@ def main():
         extent = " x ".join("%.2f" % (high - low) for low, high in model.extent())
         print("%-18s %5d triangles, %3d solids, %s m, open: %s" % (
             model.name, model.triangles(), len(model.solids), extent, " ".join(model.open_materials()) or "-"))
-    for world in (flat_90.build(), lab_30.build()):
+    for world in [flat_90.build(), lab_30.build()] + rooms.build_all():
         world.save(os.path.join(ROOT, world.name + ".sdf"))
 
 

@@ -25,8 +25,9 @@ def books(model, y0, y1, z, depth, height, back):
     model.solid_box((depth * 0.95, y - y0, height * 0.93), (back + depth * 0.475, (y0 + y) / 2, z + height * 0.465))
 
 
-def bookcase(name, about, width, height, shelves, wood, filled=True):
-    """0.30 deep, open: sides, boards and a back of 2 cm; books, boxes and a vase on the boards."""
+def bookcase(name, about, width, height, shelves, wood, empty=()):
+    """0.30 deep, open: sides, boards and a back of 2 cm; books, boxes and a vase on the boards that
+    are not `empty`."""
     model, depth = Model(name, about), 0.30
     for side in (1, -1):
         model.box(wood, (depth, 0.022, height), (0, side * (width / 2 - 0.011), height / 2))
@@ -36,7 +37,7 @@ def bookcase(name, about, width, height, shelves, wood, filled=True):
     for k in range(shelves + 1):
         z = 0.071 + k * step
         model.box(wood, (depth - 0.01, inner, 0.022), (0.0, 0, z))
-        if k < shelves and filled:
+        if k < shelves and k not in empty:
             _fill(model, k, inner, z + 0.011, step - 0.022, depth)
     return model
 
@@ -142,6 +143,12 @@ def jars_and_boxes(model, k, width, z):
         else:
             model.box("graphite", (0.22, 0.17, 0.13), (0, y, z + 0.065), bevel=0.01)
             model.trim("red", (0.004, 0.03, 0.03), (0.111, y + 0.04, z + 0.09))
+
+
+def boxes_below(model, k, width, z):
+    """Only the lowest board is full."""
+    if k == 0:
+        jars_and_boxes(model, 0, width, z)
 
 
 def towels(model, k, width, z):

@@ -6,22 +6,28 @@ from model import Model
 from seating import legs
 
 
-def coffee_table(name, about):
-    """0.60 x 1.10, 0.42 high: splayed legs, a shelf underneath, a tray of magazines and a bowl."""
+def coffee_table(name, about, things=True):
+    """0.60 x 1.10, 0.42 high: splayed legs, a shelf underneath; magazines and a bowl where there are `things`."""
     model = Model(name, about)
     model.box("oak", (0.60, 1.10, 0.03), (0, 0, 0.405), bevel=0.008)
     legs(model, "oak", 0.016, 0.39, 0.25, 0.49, 0.024)
     model.box("oak", (0.46, 0.94, 0.018), (0, 0, 0.175))
+    if things:
+        _on_coffee_table(model)
+    return model
+
+
+def _on_coffee_table(model):
     for k, (x, y, turn, paint) in enumerate(((0.06, -0.26, 0.2, "teal"), (0.055, -0.255, -0.1, "cream"))):
         model.box(paint, (0.21, 0.28, 0.012), (x, y, 0.426 + 0.012 * k), (0, 0, turn))
     bowl = [(0, 0.422), (0.05, 0.422), (0.11, 0.455), (0.135, 0.49), (0.125, 0.49), (0.09, 0.45), (0, 0.435)]
     model.show("ceramic", shapes.lathe(bowl, 20, True), (-0.04, 0.22, 0))
     model.solid_cylinder(0.10, 0.065, (-0.04, 0.22, 0.453))
-    return model
 
 
-def dining_table(name, about):
-    """0.90 x 1.70, 0.75 high: slab ends and a stretcher, as of a farmhouse."""
+def dining_table(name, about, things=True):
+    """0.90 x 1.70, 0.75 high: slab ends and a stretcher, as of a farmhouse; a runner and flowers where there are
+    `things`."""
     model = Model(name, about)
     model.box("oak", (0.90, 1.70, 0.04), (0, 0, 0.73), bevel=0.01)
     for side in (1, -1):
@@ -32,6 +38,12 @@ def dining_table(name, about):
             model.box("oak", (0.07, 0.06, 0.60), (x, y, 0.36), bevel=0.006)
         model.box("oak", (0.40, 0.035, 0.06), (0, y, 0.19), bevel=0.004)
     model.box("oak", (0.06, 1.26, 0.09), (0, 0, 0.19), bevel=0.006)
+    if things:
+        _flowers(model)
+    return model
+
+
+def _flowers(model):
     model.show("terracotta", shapes.box((0.42, 1.1, 0.003), skip=("-z",)), (0, 0, 0.752))
     vase = [(0, 0.753), (0.045, 0.753), (0.07, 0.81), (0.05, 0.88), (0.03, 0.93), (0.036, 0.95), (0.026, 0.95),
             (0.02, 0.92)]
@@ -43,7 +55,6 @@ def dining_table(name, about):
         model.show("leaf", shapes.tube([(0, 0, 0.93), (tip[0] * 0.4, tip[1] * 0.4, 1.02), tip], 0.003, 4))
         model.show(("yellow", "red", "cream")[k % 3], shapes.cushion((0.05, 0.05, 0.04), 8, 4, 0.9), tip)
     model.solid_cylinder(0.10, 0.20, (0, 0, 1.05))
-    return model
 
 
 def round_table(name, about):
