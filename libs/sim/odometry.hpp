@@ -24,6 +24,8 @@ class OdometryModel {
 
   /// Odometry starts at the origin of its frame.
   [[nodiscard]] Odometry update(Stamp stamp, const Pose2<amiss::World, Base>& T_world_base);
+  /// The robot was lifted and put down here: wheels that do not turn feel nothing.
+  void carried_to(const Pose2<amiss::World, Base>& T_world_base) { last_ = T_world_base; }
 
  private:
   OdometryParams params_;

@@ -286,6 +286,7 @@ RobotStep RobotBody::move(const RobotState& wanted, Duration dt) {
   return step;
 }
 
+void RobotBody::put(const RobotState& state) { impl_->state = state; }
 void RobotBody::statics_changed() { impl_->clear_m = 0.0; }
 
 bool RobotBody::fits(const RobotState& state) {

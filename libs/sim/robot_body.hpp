@@ -39,6 +39,8 @@ class RobotBody {
 
   /// Moves towards `wanted` as far as static bodies allow (along them where it can) while `dt` passes for all bodies.
   [[nodiscard]] RobotStep move(const RobotState& wanted, Duration dt);
+  /// Puts it there, whatever is on the way; then statics_changed() is to be told.
+  void put(const RobotState& state);
   /// To be told when static bodies were added, placed or removed.
   void statics_changed();
   /// Would the robot, standing so, touch no static body other than the ground?

@@ -242,6 +242,18 @@ void Simulator::remove_object(const std::string& name) {
   impl_->robot.statics_changed();
 }
 
+void Simulator::carry_robot(const Pose2<amiss::World, Base>& T_world_base) {
+  Impl& s = *impl_;
+  const RobotState there{T_world_base, s.T_base_link};
+  if (!s.robot.fits(there)) {
+    throw ArgumentError("carry_robot: something fixed is where the robot would stand; a place with room is allowed");
+  }
+  s.T_world_base = T_world_base;
+  s.robot.put(there);
+  s.robot.statics_changed();
+  s.odometry.carried_to(T_world_base);
+}
+
 void Simulator::tell_of(const std::string& name) {
   const std::optional<std::size_t> index = impl_->find(name);
   if (!index) throw ArgumentError("tell_of: '" + name + "' is not in the world");

@@ -63,6 +63,8 @@ class Simulator final : public robot::Robot {
                            const std::string& kind);
   void move_object(const std::string& name, const Transform<amiss::World, Object>& pose);
   void remove_object(const std::string& name);
+  /// Lifts the robot and puts it down elsewhere; neither wheels nor bumpers feel it. ArgumentError where it has no room.
+  void carry_robot(const Pose2<amiss::World, Base>& T_world_base);
   /// From now on truth() tells of this body of the world even if nothing can move it. ArgumentError for nobody's name.
   void tell_of(const std::string& name);
 
