@@ -24,6 +24,9 @@ const std::map<std::string, std::string> kTestedBy = {
     {"sim/scatter_file", "sim/scatter_test.cpp"},
     {"view/head_of", "view/head_test.cpp"},
     {"world/texture", "world/mesh_file_test.cpp"},
+    // The two halves of one header.
+    {"dataset/pcd_file", "dataset/cloud_files_test.cpp"},
+    {"dataset/ply_file", "dataset/cloud_files_test.cpp"},
     // The planner's tests solve, print and check the same problems.
     {"plan/problem", "plan/problems_test.cpp"},
     {"plan/problem_text", "plan/problems_test.cpp"},

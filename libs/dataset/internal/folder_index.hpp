@@ -1,0 +1,32 @@
+// Which images and poses of a folder belong together; one function for each layout of recording.hpp.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "dataset/trajectory_files.hpp"
+
+namespace amiss::dataset {
+
+struct IndexedFrame {
+  Stamp stamp;
+  std::filesystem::path colour, depth;
+  Transform<Map, Camera> T_map_camera;
+};
+struct FolderIndex {
+  std::vector<IndexedFrame> frames;
+  std::size_t dropped = 0;
+};
+
+[[nodiscard]] bool is_tum_folder(const std::filesystem::path& folder);
+[[nodiscard]] FolderIndex index_tum(const std::filesystem::path& folder);
+[[nodiscard]] bool is_7scenes_folder(const std::filesystem::path& folder);
+[[nodiscard]] FolderIndex index_7scenes(const std::filesystem::path& folder);
+[[nodiscard]] bool is_open3d_folder(const std::filesystem::path& folder);
+[[nodiscard]] FolderIndex index_open3d(const std::filesystem::path& folder);
+
+/// The pose at the time, between its two neighbours (at most 0.5 s apart); nothing where there are none.
+[[nodiscard]] std::optional<Transform<Map, Camera>> pose_at(const std::vector<StampedPose>& poses, Stamp stamp);
+
+}  // namespace amiss::dataset

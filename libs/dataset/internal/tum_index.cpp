@@ -1,0 +1,112 @@
+#include <algorithm>
+
+#include "core/files.hpp"
+#include "core/result.hpp"
+#include "dataset/internal/folder_index.hpp"
+#include "dataset/internal/records.hpp"
+#include "dataset/internal/text.hpp"
+
+namespace amiss::dataset {
+namespace {
+
+constexpr double kMaxColourDepthS = 0.02, kMaxPoseGapS = 0.5;
+
+struct StampedFile {
+  Stamp stamp;
+  std::filesystem::path file;
+};
+
+/// The lines "t file" (or, with two = true, "t file t file") of a list.
+std::vector<StampedFile> load_list(const std::filesystem::path& folder, const char* list, bool two) {
+  const std::string name = (folder / list).string();
+  const std::string bytes = load_bytes(folder / list);
+  std::vector<StampedFile> files;
+  LineReader lines(bytes);
+  while (const auto line = lines.next()) {
+    const auto words = words_of(*line);
+    if (words.empty() || words[0].starts_with('#')) continue;
+    if (words.size() != (two ? 4U : 2U)) {
+      refuse_line(name, lines.line(), two ? "a line must be 'time file time file'" : "a line must be 'time file'");
+    }
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+      files.push_back({stamp_of(words[i], name, lines.line()), folder / words[i + 1]});
+    }
+  }
+  return files;
+}
+
+struct Pair {
+  StampedFile colour, depth;
+};
+
+/// For each colour image the nearest depth image; each is used once, as in TUM's associate.py.
+std::vector<Pair> associated(std::vector<StampedFile> colour, std::vector<StampedFile> depth) {
+  const auto earlier = [](const StampedFile& a, const StampedFile& b) { return a.stamp < b.stamp; };
+  std::sort(colour.begin(), colour.end(), earlier);
+  std::sort(depth.begin(), depth.end(), earlier);
+  std::vector<Pair> pairs;
+  std::size_t next = 0;
+  const auto apart = [](Stamp a, Stamp b) { return std::abs(seconds(a - b)); };
+  for (const StampedFile& c : colour) {
+    while (next + 1 < depth.size() && apart(depth[next + 1].stamp, c.stamp) <= apart(depth[next].stamp, c.stamp))
+      ++next;
+    if (next >= depth.size() || apart(depth[next].stamp, c.stamp) > kMaxColourDepthS) continue;
+    pairs.push_back({c, depth[next]});
+    ++next;
+  }
+  return pairs;
+}
+
+std::vector<Pair> load_pairs(const std::filesystem::path& folder, std::size_t& colour_images) {
+  if (!std::filesystem::exists(folder / "associations.txt")) {
+    std::vector<StampedFile> colour = load_list(folder, "rgb.txt", false);
+    colour_images = colour.size();
+    return associated(std::move(colour), load_list(folder, "depth.txt", false));
+  }
+  const std::vector<StampedFile> files = load_list(folder, "associations.txt", true);
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i + 1 < files.size(); i += 2) pairs.push_back({files[i], files[i + 1]});
+  colour_images = pairs.size();
+  return pairs;
+}
+
+}  // namespace
+
+std::optional<Transform<Map, Camera>> pose_at(const std::vector<StampedPose>& poses, Stamp stamp) {
+  const auto after = std::lower_bound(poses.begin(), poses.end(), stamp,
+                                      [](const StampedPose& pose, Stamp t) { return pose.stamp < t; });
+  if (after == poses.end()) return std::nullopt;
+  if (after->stamp == stamp) return after->T_map_camera;
+  if (after == poses.begin()) return std::nullopt;
+  const StampedPose& a = *(after - 1);
+  const StampedPose& b = *after;
+  const double gap_s = seconds(b.stamp - a.stamp);
+  if (gap_s > kMaxPoseGapS) return std::nullopt;
+  const double part = seconds(stamp - a.stamp) / gap_s;
+  const Eigen::Quaterniond q_a(a.T_map_camera.T.linear()), q_b(b.T_map_camera.T.linear());
+  Transform<Map, Camera> between;
+  between.T.linear() = q_a.slerp(part, q_b).normalized().toRotationMatrix();
+  between.T.translation() = (1.0 - part) * a.T_map_camera.position() + part * b.T_map_camera.position();
+  return between;
+}
+
+bool is_tum_folder(const std::filesystem::path& folder) {
+  const auto has = [&folder](const char* file) { return std::filesystem::exists(folder / file); };
+  return has("groundtruth.txt") || has("associations.txt") || (has("rgb.txt") && has("depth.txt"));
+}
+
+FolderIndex index_tum(const std::filesystem::path& folder) {
+  const std::filesystem::path truth = folder / "groundtruth.txt";
+  const std::vector<StampedPose> poses = parse_tum_trajectory(load_bytes(truth), truth.string());
+  std::size_t colour_images = 0;
+  FolderIndex index;
+  for (Pair& pair : load_pairs(folder, colour_images)) {
+    const auto pose = pose_at(poses, pair.depth.stamp);
+    if (pose)
+      index.frames.push_back({pair.depth.stamp, std::move(pair.colour.file), std::move(pair.depth.file), *pose});
+  }
+  index.dropped = colour_images - index.frames.size();
+  return index;
+}
+
+}  // namespace amiss::dataset
