@@ -26,6 +26,11 @@ void add_tidy_command(CLI::App& app, int& exit_status) {
   tidy->add_option("--seed", a->options.seed, "of everything random")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  tidy->add_option("--scatter-seed", a->options.scatter_seed, "of what is scattered where, if not --seed")
+      ->check(CLI::NonNegativeNumber);
+  tidy->add_option("--method", a->options.method, "segment what differs from the map, or at every view triangle")
+      ->check(CLI::IsMember({"dynamic", "static"}))
+      ->capture_default_str();
   tidy->add_option("--until", a->until, "end when all was found (the referee tells) or when the robot has seen all")
       ->check(CLI::IsMember({"found", "explored"}))
       ->capture_default_str();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <tuple>
 
 #include "interrupt.hpp"
 #include "report/floor_plan.hpp"
@@ -17,6 +18,12 @@ constexpr std::size_t kTrajectoryStep = 5;  // control periods between two poses
 
 double wall_ms() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::pair<double, double> mean_and_max(const std::vector<double>& values) {
+  if (values.empty()) return {0.0, 0.0};
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return {sum / static_cast<double>(values.size()), *std::max_element(values.begin(), values.end())};
 }
 
 /// The frame with the segments' outlines in it.
@@ -47,6 +54,7 @@ TidyObserver::TidyObserver(sim::Simulator& simulator, score::Referee& referee, c
 mission::Sinks TidyObserver::sinks(bool stop_when_found) {
   mission::Sinks sinks;
   sinks.step = [this](const mission::StepEvent& event) { on_step(event); };
+  sinks.segmenting = [this](const mission::FrameEvent& event) { remember_truth(event.frame->stamp); };
   sinks.examined = [this](const mission::ExaminationEvent& event) { on_examined(event); };
   sinks.planned = [this](const mission::PlanEvent& event) {
     const std::string name = fmt::format("plans/{:03}", event.number);
@@ -72,15 +80,28 @@ void TidyObserver::on_step(const mission::StepEvent& event) {
   poses_.push_back({event.pose.stamp, simulator_.truth().T_world_base, event.pose.T_map_base});
 }
 
+/// Taken when a segmentation begins: the simulator keeps the last frames only, and a segmentation takes seconds.
+void TidyObserver::remember_truth(Stamp frame) {
+  const world::InstanceImage* instances = simulator_.instances_of(frame);
+  segmented_ = instances != nullptr ? std::optional(*instances) : std::nullopt;
+  objects_then_ = simulator_.truth().objects;
+}
+
 void TidyObserver::on_examined(const mission::ExaminationEvent& event) {
-  const world::InstanceImage* instances = simulator_.instances_of(event.frame->stamp);
-  note(event.stamp, fmt::format("region {} examined: {} segments", event.region, event.segments->size()));
-  if (instances == nullptr) return;
+  segmentations_ms_.push_back(event.wall_ms);
+  segmentation_cost_ += event.cost;
+  const std::string where = event.region == 0 ? "frame segmented" : fmt::format("region {} examined", event.region);
+  note(event.stamp, fmt::format("{}: {} segments", where, event.segments->size()));
+  if (!segmented_) {
+    note(event.stamp, "the frame was too old to be judged");
+    return;
+  }
   std::vector<score::JudgedSegment> segments;
   for (const segment::Segment& s : *event.segments) segments.push_back({s.pixels, {s.centre_map}});
-  const auto found = referee_.judge(event.stamp, segments, *instances, simulator_.truth().objects);
+  const auto found = referee_.judge(event.stamp, segments, *segmented_, objects_then_);
   for (const std::string& object : found) {
     note(event.stamp, "found " + object);
+    found_after_[object] = {static_cast<int>(segmentations_ms_.size()), segmentation_cost_};
     save_picture(event, object);
   }
 }
@@ -94,7 +115,12 @@ void TidyObserver::save_picture(const mission::ExaminationEvent& event, const st
 void TidyObserver::fill(report::TidyReport& report, const mission::SearchReport& result,
                         const knowledge::Knowledge& knowledge, const Pose2<World, Map>& T_world_map) const {
   for (const score::ObjectVerdict& v : referee_.verdicts()) {
-    report.objects.push_back({v.name, v.kind, v.position_world, v.found, v.found_at_s, v.error_m, v.covered});
+    report::ReportedObject object{v.name, v.kind, v.position_world, v.found, v.found_at_s, v.error_m, v.covered};
+    if (const auto found = found_after_.find(v.name); found != found_after_.end()) {
+      object.segmentations = found->second.actions;
+      object.segmentation_cost_s = seconds(found->second.cost);
+    }
+    report.objects.push_back(std::move(object));
   }
   for (const world::Collision& c : simulator_.collisions()) {
     report.collisions.push_back({seconds(c.stamp), c.link, c.body, c.position.p});
@@ -106,6 +132,10 @@ void TidyObserver::fill(report::TidyReport& report, const mission::SearchReport&
     if (referee_.is_false({region.position_map}, region.cylinder.radius_m, objects)) ++report.regions_false;
   }
   report.segmentation_actions = result.segmentation_actions;
+  report.segments = referee_.segments();
+  report.segments_false = referee_.false_segments();
+  report.segmentation_cost_s = seconds(result.segmentation_cost);
+  std::tie(report.segmentation_mean_ms, report.segmentation_max_ms) = mean_and_max(segmentations_ms_);
   report.view_triangles = result.view_triangles;
   report.plans = result.plans;
   report.failed_actions = result.failed_actions;
@@ -119,11 +149,7 @@ void TidyObserver::fill(report::TidyReport& report, const mission::SearchReport&
   report.rmse_rad = error.rmse_rad;
   report.max_m = error.max_m;
   report.differencing_calls = static_cast<int>(comparisons_ms_.size());
-  if (!comparisons_ms_.empty()) {
-    report.differencing_mean_ms = std::accumulate(comparisons_ms_.begin(), comparisons_ms_.end(), 0.0) /
-                                  static_cast<double>(comparisons_ms_.size());
-    report.differencing_max_ms = *std::max_element(comparisons_ms_.begin(), comparisons_ms_.end());
-  }
+  std::tie(report.differencing_mean_ms, report.differencing_max_ms) = mean_and_max(comparisons_ms_);
 }
 
 std::string TidyObserver::floor_plan(const FloorGrid& floor, const FloorGrid& seen,

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "mission/search.hpp"
+#include "mission/search_method.hpp"
 #include "progress_line.hpp"
 #include "report/run_folder.hpp"
 #include "report/tidy_report.hpp"
@@ -34,7 +36,13 @@ class TidyObserver {
   [[nodiscard]] const std::string& log() const { return log_; }
 
  private:
+  /// Segmentation actions until an object was found, and the simulated time that they took.
+  struct SegmentedUntil {
+    int actions = 0;
+    Duration cost{};
+  };
   void on_step(const mission::StepEvent& event);
+  void remember_truth(Stamp frame);
   void on_examined(const mission::ExaminationEvent& event);
   void save_picture(const mission::ExaminationEvent& event, const std::string& object) const;
   void note(Stamp stamp, const std::string& what);
@@ -44,7 +52,11 @@ class TidyObserver {
   const report::RunFolder& folder_;
   ProgressLine& progress_;
   std::vector<score::PosePair> poses_;
-  std::vector<double> comparisons_ms_;
+  std::optional<world::InstanceImage> segmented_;  // ids and true places of the frame that is being segmented
+  std::vector<world::ObjectTruth> objects_then_;
+  std::vector<double> comparisons_ms_, segmentations_ms_;
+  Duration segmentation_cost_{};
+  std::map<std::string, SegmentedUntil> found_after_;  // by object
   std::string log_;
 };
 

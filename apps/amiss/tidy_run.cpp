@@ -12,9 +12,11 @@
 #include "interrupt.hpp"
 #include "mapping/voxel_files.hpp"
 #include "mission/search.hpp"
+#include "mission/static_search.hpp"
 #include "progress_line.hpp"
 #include "reference_cache.hpp"
 #include "report/run_folder.hpp"
+#include "report/search_times.hpp"
 #include "resources.hpp"
 #include "start_pose.hpp"
 #include "tidy_observer.hpp"
@@ -65,8 +67,8 @@ std::vector<sim::ScatteredObject> choose_objects(const TidyOptions& options, con
   if (!options.scatter_file.empty()) return sim::load_scatter(options.scatter_file, catalogue);
   const int count = options.objects.value_or(options.reference_world.empty() ? 5 : 0);
   if (count == 0) return {};
-  return sim::scatter(count, catalogue, scene.world, scene.model, scene.start, RandomStream(options.seed, "scatter"),
-                      settings.scatter);
+  return sim::scatter(count, catalogue, scene.world, scene.model, scene.start,
+                      RandomStream(options.scatter_seed.value_or(options.seed), "scatter"), settings.scatter);
 }
 
 /// Bodies of today's world that the reference world does not have, whether anything can move them or not.
@@ -172,6 +174,17 @@ struct Stage {
   const report::RunFolder& folder;
 };
 
+std::unique_ptr<mission::SearchMethod> make_search(const TidyOptions& options, const Settings& settings,
+                                                   const Stage& stage, const plan::Domain& domain,
+                                                   knowledge::KnowledgeBase& knowledge, const mission::Sinks& sinks) {
+  const auto make = [&]<class Method>(std::type_identity<Method>) -> std::unique_ptr<mission::SearchMethod> {
+    return std::make_unique<Method>(stage.simulator, stage.prepared.reference, knowledge, domain, settings.mission,
+                                    options.seed, options.until_found, sinks);
+  };
+  if (options.method == report::kStatic) return make(std::type_identity<mission::StaticSearch>());
+  return make(std::type_identity<mission::Search>());
+}
+
 /// The search itself, and the run folder's contents. Returns the artefacts that the digest covers.
 std::string search(const TidyOptions& options, const Settings& settings, const Stage& stage, ProgressLine& progress,
                    report::TidyReport& report) {
@@ -182,17 +195,16 @@ std::string search(const TidyOptions& options, const Settings& settings, const S
   const plan::Domain domain = plan::load_domain(domain_file);
   folder.save("plans/domain.pddl", load_bytes(domain_file));
   knowledge::KnowledgeBase knowledge(folder.path() / "knowledge.sqlite", settings.mission.knowledge);
-  mission::Search search(simulator, prepared.reference, knowledge, domain, settings.mission, options.seed,
-                         options.until_found, sinks);
-  const mission::SearchReport result = search.run();
+  const auto search = make_search(options, settings, stage, domain, knowledge, sinks);
+  const mission::SearchReport result = search->run();
   knowledge.close();
   progress.clear();
 
   report.outcome = outcome_of(result, options, referee);
   observer.fill(report, result, knowledge.now(), prepared.T_world_map);
-  const std::string map_bytes = mapping::voxel_map_bytes(search.voxels(), mapping::VoxelFormat::kOt);
+  const std::string map_bytes = mapping::voxel_map_bytes(search->voxels(), mapping::VoxelFormat::kOt);
   folder.save("current.ot", map_bytes);
-  folder.save("map.png", observer.floor_plan(prepared.reference.floor, search.seen_floor(), knowledge.now(),
+  folder.save("map.png", observer.floor_plan(prepared.reference.floor, search->seen_floor(), knowledge.now(),
                                              prepared.T_world_map));
   folder.save("log.txt", observer.log());
   return map_bytes + observer.save_trajectories();
@@ -218,7 +230,7 @@ TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
   outcome.report.version = AMISS_VERSION;
   outcome.report.world = name;
   outcome.report.seed = options.seed;
-  outcome.report.method = "dynamic";
+  outcome.report.method = options.method;
   ProgressLine progress(!options.quiet);
   const auto prepared = prepare_reference(options, settings, scene, progress, watch);
   if (!prepared) {

@@ -12,10 +12,12 @@ namespace amiss::app {
 
 struct TidyOptions {
   std::string world = "flat_90";
+  std::string method = "dynamic";
   std::string reference_world;  // where it is not the same
   std::optional<int> objects;   // to scatter; 5 where nothing else is said
   std::string scatter_file;
   std::uint64_t seed = 1;
+  std::optional<std::uint64_t> scatter_seed;  // of what is scattered where; the seed where nothing else is said
   bool until_found = true;
   double time_limit_s = 3600.0;
   std::string out;

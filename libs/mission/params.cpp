@@ -8,6 +8,7 @@ void describe(ParamTable& table, SearchParams& p) {
   table.number("search.settle", p.settle_s, "s", 0.2, 10.0, "of standing before a region is segmented");
   table.number("search.segment_region", p.segment_region_s, "s", 0.0, 60.0,
                "simulated cost of segmenting a cropped frame");
+  table.number("search.segment_frame", p.segment_frame_s, "s", 0.0, 60.0, "simulated cost of segmenting a whole frame");
   table.integer("search.viewpoints", p.viewpoints, 1, 12, "of one region that are tried");
   table.integer("search.max_replans", p.max_replans, 1, 100000, "guard against going round in circles");
   table.number("search.fine_gain", p.fine_gain_m2, "m2", 0.01, 1.0,

@@ -20,7 +20,8 @@ struct SearchParams {
   double compare_s = 0.5;         // between two comparisons with the reference while driving
   double look_s = 0.4;            // of standing at a view triangle
   double settle_s = 0.4;          // of standing before a region is segmented, so that the frame is of now
-  double segment_region_s = 1.0;  // simulated cost of segmenting a cropped frame
+  double segment_region_s = 1.0;  // simulated cost of segmenting a cropped frame (the thesis' simulation)
+  double segment_frame_s = 6.0;   // and of a whole one, by the static method
   int viewpoints = 3;             // of one region that are tried
   int max_replans = 400;          // the guard against going round in circles
   double fine_gain_m2 = 0.08;     // of a view triangle, once the large ones are used up

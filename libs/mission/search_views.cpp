@@ -10,7 +10,6 @@ namespace amiss::mission {
 namespace {
 
 constexpr double kSameViewpoint = 0.15;  // m
-constexpr double kWayTolerance = 0.4;    // m round a place, for way lengths
 
 }  // namespace
 
@@ -42,12 +41,9 @@ std::vector<view::ViewTriangle> Search::sample_view_triangles() {
     triangle.coverage_goal = 1.0;
   }
   const FloorGrid nothing;
-  const FloorGrid& covered = looking_ == Looking::kAgain ? nothing : perception_.obstacles().seen_floor();
-  const motion::PathLengths ways = navigator_.ways_from_here();
-  auto cover =
-      view::cover_with_triangles(navigator_.drive_map().grid(), ways.field(), covered, triangle, triangles_random_);
-  std::erase_if(cover.triangles, [this](const view::ViewTriangle& t) { return is_covered(t); });
-  return std::move(cover.triangles);
+  auto triangles = sample(looking_ == Looking::kAgain ? nothing : perception_.obstacles().seen_floor(), triangle);
+  std::erase_if(triangles, [this](const view::ViewTriangle& t) { return is_covered(t); });
+  return triangles;
 }
 
 bool Search::add_view_triangles() {
@@ -60,13 +56,7 @@ bool Search::add_view_triangles() {
     if (looking_ == Looking::kAgain) return false;
     looking_ = looking_ == Looking::kCoarsely ? Looking::kFinely : Looking::kAgain;
   }
-  std::vector<knowledge::View> views;
-  for (const view::ViewTriangle& t : triangles) {
-    views.push_back({0, t.T_map_base, t.angle_rad, t.height_m, false, std::nullopt});
-  }
-  const std::vector<int> ids = knowledge_.add_views(views);
-  for (std::size_t i = 0; i < ids.size(); ++i) open_views_.emplace(ids[i], std::move(triangles[i]));
-  report_.view_triangles += static_cast<int>(ids.size());
+  remember(std::move(triangles));
   return true;
 }
 
@@ -92,18 +82,8 @@ std::optional<Visit> Search::viewpoint_of(const knowledge::Region& region, const
 
 std::vector<Visit> Search::open_visits() {
   const motion::PathLengths ways = navigator_.ways_from_here();
-  std::vector<Visit> visits;
-  for (auto view = open_views_.begin(); view != open_views_.end();) {
-    const bool reachable =
-        ways.near(view->second.T_map_base.position(), kWayTolerance) < motion::PathLengths::kUnreachable;
-    if (reachable && !is_covered(view->second)) {
-      visits.push_back({Visit::Kind::kExplore, view->first, view->second.T_map_base});
-      ++view;
-    } else {
-      knowledge_.mark_dropped(view->first);
-      view = open_views_.erase(view);
-    }
-  }
+  std::vector<Visit> visits =
+      open_view_visits(ways, [this](const view::ViewTriangle& view) { return !is_covered(view); });
   for (const knowledge::Region& region : knowledge_.open_regions()) {
     if (given_up_.contains(region.id)) continue;
     if (const auto visit = viewpoint_of(region, ways)) {
@@ -114,27 +94,6 @@ std::vector<Visit> Search::open_visits() {
     }
   }
   return visits;
-}
-
-double Search::coverage() {
-  const FloorGrid& seen = perception_.obstacles().seen_floor();
-  if (reachable_cells_ == 0) {
-    const motion::PathLengths ways(navigator_.drive_map(), perception_.pose().T_map_base.position());
-    const auto field = ways.field();
-    reachable_cells_ = static_cast<std::size_t>(
-        std::count_if(field.begin(), field.end(), [](float way) { return way < motion::PathLengths::kUnreachable; }));
-  }
-  if (reachable_cells_ == 0) return 0.0;
-  const motion::PathLengths ways = navigator_.ways_from_here();
-  std::size_t known = 0;
-  const FloorGrid& grid = navigator_.drive_map().grid();
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) {
-      const bool reachable = ways.to(Cell{x, y}) < motion::PathLengths::kUnreachable;
-      if (reachable && seen.at(grid.centre_of({x, y})) != Occupancy::kUnknown) ++known;
-    }
-  }
-  return static_cast<double>(known) / static_cast<double>(reachable_cells_);
 }
 
 }  // namespace amiss::mission

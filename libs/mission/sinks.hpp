@@ -33,11 +33,13 @@ struct FrameEvent {
 
 /// One segmentation action: the frame that was segmented and what came out.
 struct ExaminationEvent {
-  int region = 0;                    // id in the knowledge base
+  int region = 0;                    // id in the knowledge base, 0 when the whole frame was segmented
   Stamp stamp;                       // when the result was there
   const RgbdFrame* frame = nullptr;  // lives during the call
   Transform<Map, Camera> T_map_camera;
   const std::vector<segment::Segment>* segments = nullptr;
+  double wall_ms = 0.0;  // of the segmentation
+  Duration cost{};       // simulated time that it took
 };
 
 /// A plan that is about to be carried out.
@@ -78,6 +80,7 @@ struct ProgressEvent {
 struct Sinks {
   std::function<void(const StepEvent&)> step = [](const StepEvent&) {};
   std::function<void(const FrameEvent&)> frame = [](const FrameEvent&) {};
+  std::function<void(const FrameEvent&)> segmenting = [](const FrameEvent&) {};  // begins; `examined` tells the end
   std::function<void(const ExaminationEvent&)> examined = [](const ExaminationEvent&) {};
   std::function<void(const PlanEvent&)> planned = [](const PlanEvent&) {};
   std::function<void(const ActionEvent&)> acting = [](const ActionEvent&) {};
@@ -86,7 +89,7 @@ struct Sinks {
   std::function<void(const ProgressEvent&)> progress = [](const ProgressEvent&) {};
   std::function<void(Stamp, const std::string&)> log = [](Stamp, const std::string&) {};
   std::function<bool()> stop = [] { return false; };           // asked each period; the mission then ends where it is
-  std::function<double()> wall_clock_ms = [] { return 0.0; };  // for DifferenceEvent only
+  std::function<double()> wall_clock_ms = [] { return 0.0; };  // for events only
 };
 
 }  // namespace amiss::mission

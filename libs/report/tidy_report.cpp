@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
+#include "report/search_times.hpp"
 
 namespace amiss::report {
 
@@ -29,7 +30,9 @@ Json objects_json(const TidyReport& report) {
                        {"position", position(o.position_m)},
                        {"found", o.found},
                        {"found_at_s", o.found ? Json(rounded(o.found_at_s)) : Json(nullptr)},
-                       {"error_m", o.covered ? Json(rounded(o.error_m)) : Json(nullptr)}});
+                       {"error_m", o.covered ? Json(rounded(o.error_m)) : Json(nullptr)},
+                       {"segmentations", o.found ? Json(o.segmentations) : Json(nullptr)},
+                       {"segmentation_cost_s", o.found ? Json(rounded(o.segmentation_cost_s)) : Json(nullptr)}});
   }
   return objects;
 }
@@ -43,6 +46,16 @@ Json collisions_json(const TidyReport& report) {
   return collisions;
 }
 
+/// The total search time with each of the segmentation times of the thesis.
+Json search_times_json(const TidyReport& r) {
+  Json times;
+  for (const SegmentationTimes& t : kSegmentationTimes) {
+    const SearchMoment end{r.simulated_s, r.segmentation_actions, r.segmentation_cost_s};
+    times[std::string(t.name)] = rounded(recomputed_s(end, t, r.method));
+  }
+  return times;
+}
+
 Json without_wall_time(const TidyReport& r) {
   Json json;
   json["schema"] = kSchema;
@@ -54,6 +67,8 @@ Json without_wall_time(const TidyReport& r) {
   json["objects_placed"] = r.objects.size();
   json["objects_found"] = r.found();
   json["segmentation_actions"] = r.segmentation_actions;
+  json["segmentation"] = {
+      {"segments", r.segments}, {"false", r.segments_false}, {"cost_s", rounded(r.segmentation_cost_s)}};
   json["regions"] = {{"detected", r.regions_detected}, {"false", r.regions_false}, {"withdrawn", r.regions_withdrawn}};
   json["view_triangles"] = r.view_triangles;
   json["plans"] = r.plans;
@@ -63,7 +78,8 @@ Json without_wall_time(const TidyReport& r) {
   json["distance_m"] = rounded(r.distance_m);
   json["time"] = {{"simulated_s", rounded(r.simulated_s)},
                   {"driving_s", rounded(r.driving_s)},
-                  {"segmenting_s", rounded(r.segmenting_s)}};
+                  {"segmenting_s", rounded(r.segmenting_s)},
+                  {"search_s", search_times_json(r)}};
   json["localization"] = {
       {"rmse_m", rounded(r.rmse_m)}, {"rmse_rad", rounded(r.rmse_rad)}, {"max_m", rounded(r.max_m)}};
   json["differencing"] = {{"calls", r.differencing_calls}};
@@ -83,6 +99,8 @@ std::string to_json(const TidyReport& report, std::string_view artefacts) {
   const std::string digest = sha256(json.dump() + std::string(artefacts));
   json["time"]["wall_s"] = rounded(report.wall_s);
   json["time"]["real_time_factor"] = report.wall_s > 0.0 ? rounded(report.simulated_s / report.wall_s) : 0.0;
+  json["segmentation"]["mean_ms"] = rounded(report.segmentation_mean_ms);
+  json["segmentation"]["max_ms"] = rounded(report.segmentation_max_ms);
   json["differencing"]["mean_ms"] = rounded(report.differencing_mean_ms);
   json["differencing"]["max_ms"] = rounded(report.differencing_max_ms);
   json["digest"] = digest;

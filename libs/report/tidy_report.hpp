@@ -16,7 +16,9 @@ struct ReportedObject {
   bool found = false;
   double found_at_s = 0.0;
   double error_m = 0.0;
-  bool covered = false;  // by a segment: error_m means something
+  bool covered = false;              // by a segment: error_m means something
+  int segmentations = 0;             // until it was found
+  double segmentation_cost_s = 0.0;  // simulated time of those
 };
 
 struct ReportedCollision {
@@ -30,6 +32,9 @@ struct TidyReport {
   std::uint64_t seed = 0;
   std::vector<ReportedObject> objects;
   std::vector<ReportedCollision> collisions;
+  int segments = 0, segments_false = 0;
+  double segmentation_cost_s = 0.0;                              // simulated, of all actions
+  double segmentation_mean_ms = 0.0, segmentation_max_ms = 0.0;  // on the clock
   int segmentation_actions = 0, view_triangles = 0, plans = 0, failed_actions = 0;
   int regions_detected = 0, regions_false = 0, regions_withdrawn = 0;
   double coverage = 0.0, distance_m = 0.0;

@@ -28,6 +28,9 @@ std::vector<std::string> Referee::judge(Stamp now, std::span<const JudgedSegment
                                         const world::InstanceImage& instances,
                                         const std::vector<world::ObjectTruth>& objects) {
   std::vector<std::string> news;
+  segments_ += static_cast<int>(segments.size());
+  false_segments_ += static_cast<int>(std::count_if(
+      segments.begin(), segments.end(), [&](const JudgedSegment& s) { return !shows_an_object(s, instances); }));
   for (std::size_t i = 0; i < verdicts_.size(); ++i) {
     ObjectVerdict& verdict = verdicts_[i];
     const auto truth = std::find_if(objects.begin(), objects.end(),
@@ -55,6 +58,14 @@ std::vector<std::string> Referee::judge(Stamp now, std::span<const JudgedSegment
     news.push_back(verdict.name);
   }
   return news;
+}
+
+bool Referee::shows_an_object(const JudgedSegment& segment, const world::InstanceImage& instances) const {
+  return std::any_of(instances_.begin(), instances_.end(), [&](std::uint16_t instance) {
+    const auto shared = std::count_if(segment.pixels.begin(), segment.pixels.end(),
+                                      [&](std::uint32_t pixel) { return instances.instances[pixel] == instance; });
+    return static_cast<double>(shared) >= params_.min_purity * static_cast<double>(segment.pixels.size());
+  });
 }
 
 bool Referee::all_found() const { return found() == static_cast<int>(verdicts_.size()); }

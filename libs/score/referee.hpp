@@ -48,6 +48,11 @@ class Referee {
   std::vector<std::string> judge(Stamp now, std::span<const JudgedSegment> segments,
                                  const world::InstanceImage& instances, const std::vector<world::ObjectTruth>& objects);
 
+  /// Segments of all frames judged so far, and those of them that show none of the objects with min_purity of their
+  /// pixels. A segment of an object that was found before, or only of a part of one, is not false.
+  [[nodiscard]] int segments() const { return segments_; }
+  [[nodiscard]] int false_segments() const { return false_segments_; }
+
   [[nodiscard]] bool all_found() const;
   [[nodiscard]] int found() const;
   [[nodiscard]] const std::vector<ObjectVerdict>& verdicts() const { return verdicts_; }
@@ -57,10 +62,13 @@ class Referee {
                               const std::vector<world::ObjectTruth>& objects) const;
 
  private:
+  [[nodiscard]] bool shows_an_object(const JudgedSegment& segment, const world::InstanceImage& instances) const;
+
   std::vector<std::uint16_t> instances_;  // as verdicts_
   std::vector<ObjectVerdict> verdicts_;
   Transform<World, Map> T_world_map_;
   RefereeParams params_;
+  int segments_ = 0, false_segments_ = 0;
 };
 
 }  // namespace amiss::score

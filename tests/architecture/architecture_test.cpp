@@ -35,7 +35,9 @@ const std::map<std::string, std::string> kTestedBy = {
     // They need a robot that moves and sees: whole runs with the simulator.
     {"mission/perception", "apps/tidy_test.cpp"},
     {"mission/navigator", "apps/tidy_test.cpp"},
+    {"mission/search_method", "apps/tidy_test.cpp"},
     {"mission/search", "apps/tidy_test.cpp"},
+    {"mission/static_search", "apps/tidy_test.cpp"},
     {"mission/search_views", "apps/tidy_test.cpp"},
     {"mission/mapping_run", "apps/tidy_test.cpp"},
 };

@@ -21,6 +21,8 @@ TidyReport sample() {
   report.collisions = {{12.0, "base", "chair_2", {0.5, 0.5, 0.2}}};
   report.simulated_s = 100.0;
   report.wall_s = 4.0;
+  report.segmentation_actions = 3;
+  report.segmentation_cost_s = 3.0;
   report.differencing_calls = 10;
   report.differencing_mean_ms = 0.3;
   return report;
@@ -32,9 +34,13 @@ json parsed(const TidyReport& report, std::string_view artefacts = "") {
 
 TEST(TidyReport, HoldsWhatIsPromised) {
   const json report = parsed(sample());
-  for (const char* key : {"schema", "version", "world", "seed", "method", "outcome", "objects_placed", "objects_found",
-                          "segmentation_actions", "regions", "view_triangles", "coverage", "collisions", "distance_m",
-                          "time", "localization", "differencing", "objects", "digest"}) {
+  for (const char* key : {"schema",         "version",        "world",
+                          "seed",           "method",         "outcome",
+                          "objects_placed", "objects_found",  "segmentation_actions",
+                          "regions",        "view_triangles", "coverage",
+                          "collisions",     "distance_m",     "time",
+                          "localization",   "differencing",   "objects",
+                          "digest",         "segmentation"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
   EXPECT_EQ(report["objects_placed"], 2);
@@ -45,6 +51,7 @@ TEST(TidyReport, HoldsWhatIsPromised) {
   EXPECT_EQ(report["objects"][0]["error_m"], 0.0123);
   EXPECT_TRUE(report["objects"][1]["found_at_s"].is_null()) << "never found, so never at 0 s";
   EXPECT_TRUE(report["objects"][1]["error_m"].is_null());
+  EXPECT_EQ(report["time"]["search_s"], (json{{"real_robot", 112.0}, {"simulation", 100.0}, {"fast", 97.06}}));
   EXPECT_EQ(report["digest"].get<std::string>().size(), 64U);
 }
 
@@ -53,6 +60,8 @@ TEST(TidyReport, DigestLeavesWallTimeOut) {
   slow.wall_s = 99.0;
   slow.differencing_mean_ms = 7.0;
   slow.differencing_max_ms = 8.0;
+  slow.segmentation_mean_ms = 9.0;
+  slow.segmentation_max_ms = 10.0;
   EXPECT_NE(parsed(slow)["time"], parsed(sample())["time"]);
   EXPECT_EQ(parsed(slow)["digest"], parsed(sample())["digest"]);
 }

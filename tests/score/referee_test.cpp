@@ -82,6 +82,19 @@ TEST_F(RefereeOf, ASegmentOfMuchElseIsNotEnough) {
   EXPECT_TRUE(referee.judge(kNow, segments, image, objects).empty());
 }
 
+TEST_F(RefereeOf, FalseSegmentsShowNoObjectWithHalfOfTheirPixels) {
+  Referee referee = this->referee();
+  const auto floor = pixels(60, 100), part_of_mug = pixels(0, 5), much_else = pixels(30, 100), found = pixels(0, 38);
+  const std::vector<JudgedSegment> segments{
+      {floor, kAtMug}, {part_of_mug, kAtMug}, {much_else, kAtMug}, {found, kAtMug}};
+  EXPECT_EQ(referee.judge(kNow, segments, image, objects).size(), 1U);
+  EXPECT_EQ(referee.segments(), 4);
+  EXPECT_EQ(referee.false_segments(), 2) << "the floor, and 20 pixels of the ball and 10 of the mug among 70";
+  EXPECT_TRUE(referee.judge(kNow, segments, image, objects).empty());
+  EXPECT_EQ(referee.segments(), 8);
+  EXPECT_EQ(referee.false_segments(), 4) << "a segment of what was found before is not false";
+}
+
 TEST_F(RefereeOf, TheNearestOfSeveralSegmentsCounts) {
   Referee referee = this->referee();
   const auto mask = pixels(0, 30);
