@@ -95,7 +95,7 @@ TEST_F(Tidy, TheStaticMethodSegmentsAtViewTriangles) {
   arguments = same_things;
   arguments.insert(arguments.end(), {"--until", "explored", "--time-limit", "3", "--seed", "8"});
   const json dynamic = json::parse(tidy("dynamic", arguments).out);
-  for (int axis : {0, 1}) {  // a banana still rocks by less than a millimetre
+  for (const std::size_t axis : {0U, 1U}) {  // a banana still rocks by less than a millimetre
     EXPECT_NEAR(dynamic["objects"][0]["position"][axis].get<double>(),
                 report["objects"][0]["position"][axis].get<double>(), 0.005);
   }
