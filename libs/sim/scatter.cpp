@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/result.hpp"
+#include "sim/internal/falling.hpp"
 #include "sim/internal/reachable.hpp"
 #include "sim/physics.hpp"
 
@@ -16,17 +17,6 @@ constexpr double kFloorTolerance_m = 0.012;  // a rug may lie under an object
 constexpr double kUnderFurniture_m = 0.3;    // up to here everything is furniture to keep away from
 constexpr int kTries = 400;                  // places tried for one object
 constexpr int kKindsTried = 3;               // kinds tried before a place for one more object is given up
-constexpr auto kLongestSettling = 6s;
-
-/// How a thing comes to lie: as it was made, or as it happens to fall.
-Eigen::Isometry3d random_turn(RandomStream& random) {
-  const double yaw = random.uniform(-std::numbers::pi, std::numbers::pi);
-  Eigen::Isometry3d turn(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
-  if (random.uniform() < 0.5) return turn;
-  const double about = random.uniform(-std::numbers::pi, std::numbers::pi);
-  const Eigen::Vector3d axis(std::cos(about), std::sin(about), 0.0);
-  return turn * Eigen::AngleAxisd(random.uniform(0.0, std::numbers::pi), axis);
-}
 
 /// The world while objects are dropped into it one by one.
 class Dropping {
@@ -98,19 +88,15 @@ bool Dropping::lies_well(std::size_t body) const {
 }
 
 std::optional<Transform<amiss::World, Object>> Dropping::drop(const world::Body& body, RandomStream& random) {
-  const Eigen::Isometry3d turn = random_turn(random);
-  world::Body falling = body;
-  falling.is_static = false;
-  falling.pose.T = turn;
-  Physics alone(world::World{});
-  const Eigen::AlignedBox3d box = alone.bounds(alone.add(falling));
+  internal::Turned falling = internal::turned(body, internal::random_turn(random));
+  const Eigen::AlignedBox3d& box = falling.bounds;
   const std::optional<Eigen::Vector2d> p = place(0.5 * box.sizes().head<2>().norm(), random);
   if (!p) return std::nullopt;
   const Eigen::Vector3d centre(p->x(), p->y(), params_.drop_height_m + 0.5 * box.sizes().z());
-  falling.pose.T = Eigen::Translation3d(centre - box.center()) * turn;
+  falling.body.pose.T.pretranslate(centre - box.center());
 
-  const std::size_t index = physics_.add(falling);
-  for (auto time = 0ms; time < kLongestSettling && !physics_.is_asleep(index); time += 20ms) physics_.step(20ms);
+  const std::size_t index = physics_.add(falling.body);
+  internal::settle(physics_, index);
   const Eigen::AlignedBox3d at_rest = physics_.bounds(index);
   const Eigen::Vector2d middle = at_rest.center().head<2>();
   if (lies_well(index) && space_.try_to_block(middle, 0.5 * at_rest.sizes().head<2>().norm(), params_.reach_m)) {

@@ -4,23 +4,17 @@
 
 #include <algorithm>
 
-#include "core/files.hpp"
 #include "core/params.hpp"
 #include "core/result.hpp"
+#include "core/yaml_checks.hpp"
 
 namespace amiss::world {
 namespace {
-
-constexpr std::size_t kMaxBytes = 1U << 20U;
 
 bool begins(std::string_view name, std::string_view beginning) {
   if (!name.starts_with(beginning)) return false;
   const std::string_view rest = name.substr(beginning.size());
   return rest.empty() || rest.starts_with("_") || rest.starts_with("::");
-}
-
-std::string where(const std::filesystem::path& file, const YAML::Mark& mark) {
-  return file.string() + ":" + std::to_string(std::max(0, mark.line) + 1) + ": ";
 }
 
 SemanticClass class_named(const std::filesystem::path& file, const YAML::Node& node) {
@@ -29,7 +23,7 @@ SemanticClass class_named(const std::filesystem::path& file, const YAML::Node& n
   std::vector<std::string> names;
   for (const NamedSemanticClass& named : kSemanticClasses) names.emplace_back(named.name);
   const std::string near = nearest_word(name, names);
-  throw InputError(where(file, node.Mark()) + "'" + name + "' is no semantic class" +
+  throw InputError(yaml_place(file, node) + "'" + name + "' is no semantic class" +
                    (near.empty() ? "; allowed are those of ScanNet and otherprop" : "; did you mean '" + near + "'?"));
 }
 
@@ -39,13 +33,13 @@ std::vector<ClassTable::Row> rows_of(const std::filesystem::path& file, const YA
   for (const auto& pair : root) {
     const SemanticClass value = class_named(file, pair.first);
     if (!pair.second.IsSequence()) {
-      throw InputError(where(file, pair.first.Mark()) + pair.first.Scalar() + " is not a list of names");
+      throw InputError(yaml_place(file, pair.first) + pair.first.Scalar() + " is not a list of names");
     }
     for (const YAML::Node& item : pair.second) {
-      if (!item.IsScalar() || item.Scalar().empty()) throw InputError(where(file, item.Mark()) + "not a name");
+      if (!item.IsScalar() || item.Scalar().empty()) throw InputError(yaml_place(file, item) + "not a name");
       const auto same = [&](const ClassTable::Row& row) { return row.beginning == item.Scalar(); };
       if (std::any_of(rows.begin(), rows.end(), same)) {
-        throw InputError(where(file, item.Mark()) + "'" + item.Scalar() + "' is there twice; a name has one class");
+        throw InputError(yaml_place(file, item) + "'" + item.Scalar() + "' is there twice; a name has one class");
       }
       rows.push_back({item.Scalar(), value});
     }
@@ -65,13 +59,7 @@ SemanticClass ClassTable::class_of(std::string_view body_name) const {
   return best == nullptr ? SemanticClass::kUnlabelled : best->value;
 }
 
-ClassTable load_class_table(const std::filesystem::path& file) {
-  try {
-    return ClassTable(rows_of(file, YAML::Load(load_bytes(file, kMaxBytes))));
-  } catch (const YAML::Exception& error) {
-    throw InputError(where(file, error.mark) + "not YAML: " + error.msg);
-  }
-}
+ClassTable load_class_table(const std::filesystem::path& file) { return ClassTable(rows_of(file, load_yaml(file))); }
 
 ClassTable class_table_beside(const World& world) {
   const std::filesystem::path file = world.file.parent_path() / "classes.yaml";

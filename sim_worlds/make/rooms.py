@@ -75,7 +75,7 @@ def small_room():
     _on(world, 0.50, 2.75, 0.44, 0, ("cushion_green", -0.06, 0.36, -10))
     world.put("table_round", 1.75, 2.75)
     world.put("vase", 1.62, 2.80, 0, 0.74)
-    world.put("stool", 1.90, 2.05, 20)
+    world.put("stool", 2.12, 3.48, 20)
     world.put("shelf_free", 0.22, 0.95, 0)
     world.put("storage_box_terracotta", 0.20, 1.12, 0, 0.569)
     world.put("dresser_plain", 3.10, deep - 0.24, -90)

@@ -1,17 +1,20 @@
-// Look at a world through the robot's eye: render_view WORLD.sdf X Y Z YAW TILT OUT.png [FOV_DEG]
+// Look at a world through the robot's eye: render_view WORLD.sdf X Y Z YAW TILT OUT.png [FOV_DEG [VISIT OBJECTS]]
 // The eye stands at (X, Y, Z) m, looks along YAW rad and up by TILT rad (down when negative). With FOV_DEG the picture
 // has this horizontal field of view and 1280x960 pixels, else it is the robot's camera. OUT.depth.png holds the depth
 // with the sensor's noise, 40 grey levels a metre. TILT below -1.5 is a plan: ceilings (bodies with "ceiling" in their
-// name) are hidden.
+// name) are hidden. VISIT is a folder with nudges.yaml and objects.yaml, OBJECTS the folder of the catalogue.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
 #include "sim/depth_noise.hpp"
 #include "sim/renderer.hpp"
+#include "sim/scatter.hpp"
 #include "world/loader.hpp"
+#include "world/nudges.hpp"
 
 namespace {
 
@@ -36,8 +39,20 @@ void save_depth(const std::string& file, const RgbdFrame& frame) {
   if (!cv::imwrite(file, picture)) throw std::runtime_error("cannot write " + file);
 }
 
-int run(char** argv, bool own_lens) {
-  const world::World world = world::load_world(argv[1]);
+world::World visited(const world::World& tidy, const std::filesystem::path& visit, const char* objects) {
+  const world::Catalogue catalogue = world::load_catalogue({objects});
+  world::World world = world::nudged(tidy, world::load_nudges(visit / "nudges.yaml", tidy));
+  for (const sim::ScatteredObject& object : sim::load_scatter(visit / "objects.yaml", catalogue)) {
+    world.bodies.push_back(catalogue.at(object.kind).body);
+    world.bodies.back().pose = object.pose;
+  }
+  return world;
+}
+
+int run(int argc, char** argv) {
+  const bool own_lens = argc > 8;
+  const world::World tidy = world::load_world(argv[1]);
+  const world::World world = argc > 10 ? visited(tidy, argv[9], argv[10]) : tidy;
   for (const std::string& warning : world.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
   const auto number = [&](int i) { return std::atof(argv[i]); };
   const double yaw = number(5), tilt = number(6);
@@ -62,11 +77,11 @@ int run(char** argv, bool own_lens) {
 
 int main(int argc, char** argv) {
   if (argc < 8) {
-    std::fprintf(stderr, "render_view WORLD.sdf X Y Z YAW TILT OUT.png [FOV_DEG]\n");
+    std::fprintf(stderr, "render_view WORLD.sdf X Y Z YAW TILT OUT.png [FOV_DEG [VISIT OBJECTS]]\n");
     return 2;
   }
   try {
-    return run(argv, argc > 8);
+    return run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 3;
