@@ -48,21 +48,8 @@ bool finds_back(double yaw_rad, const Eigen::Vector3d& offset) {
 
 RC_GTEST_PROP(Aligned, FindsBackFromASmallOffset, ()) {
   const double yaw_rad = *rc::gen::inRange(-31, 31) / 10.0;
-  const auto off = [] { return *rc::gen::inRange(-4, 5) / 100.0; };
+  const auto off = [] { return *rc::gen::inRange(-8, 9) / 100.0; };
   RC_ASSERT(finds_back(yaw_rad, {off(), off(), off() / 2.0}));
-}
-
-// From twice as far a few slide into a neighbouring minimum (2.4 % here); the particle filter begins much nearer.
-TEST(Aligned, FindsBackFromNearlyAllLargerOffsets) {
-  constexpr int kTrials = 2000;
-  RandomStream random(1, "offsets");
-  int back = 0;
-  for (int i = 0; i < kTrials; ++i) {
-    const double yaw_rad = random.uniform(-3.1, 3.1);
-    const Eigen::Vector3d offset(random.uniform(-0.08, 0.08), random.uniform(-0.08, 0.08), random.uniform(-0.04, 0.04));
-    if (finds_back(yaw_rad, offset)) ++back;
-  }
-  EXPECT_GE(back, kTrials * 97 / 100);
 }
 
 }  // namespace

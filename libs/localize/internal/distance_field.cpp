@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
+#include "localize/internal/scan_search.hpp"
+
 namespace amiss::localize::internal {
 
 namespace {
 
 constexpr int kIterations = 12;
-constexpr double kFirstKernelM = 0.2;  // width of the robust weight, narrowing with each iteration
-constexpr double kLastKernelM = 0.06;
-constexpr double kPointSigmaM = 0.1;  // of one point; wide, because neighbours share the errors of the map
+constexpr double kFirstKernelM = 0.1;  // width of the robust weight, narrowing with each iteration
+constexpr double kPointSigmaM = 0.1;   // of one point; wide, because neighbours share the errors of the map
 
 struct Normal {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
@@ -36,9 +37,18 @@ Normal normal_equations(const DistanceField& field, const std::vector<Eigen::Vec
 
 }  // namespace
 
+double robust_cost(double distance_m, double kernel_m) {
+  const double ratio = distance_m / kernel_m;
+  return 0.5 * distance_m * distance_m / (1.0 + ratio * ratio) / (kPointSigmaM * kPointSigmaM);
+}
+
 DistanceField::DistanceField(const FloorGrid& map)
     : frame_(map.resolution_m(), map.origin_m(), map.width(), map.height()),
-      distance_m_(distance_to_occupied_m(map, false)) {}
+      distance_m_(distance_to_occupied_m(map, false)),
+      cell_costs_(distance_m_.size()) {
+  std::transform(distance_m_.begin(), distance_m_.end(), cell_costs_.begin(),
+                 [](float d) { return static_cast<float>(robust_cost(static_cast<double>(d), kLastKernelM)); });
+}
 
 DistanceField::Sample DistanceField::at(const Eigen::Vector2d& p_map) const {
   const Eigen::Vector2d cell = (p_map - frame_.origin_m()) / frame_.resolution_m() - Eigen::Vector2d::Constant(0.5);
@@ -80,24 +90,61 @@ double fit_of(const DistanceField& field, const std::vector<Eigen::Vector2d>& po
   return static_cast<double>(near) / static_cast<double>(points_base.size());
 }
 
-Pose2<Map, Base> aligned(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
-                         const AlignmentPrior& prior) {
+Pose2<Map, Base> moved(const Pose2<Map, Base>& pose, const Eigen::Vector3d& offset) {
+  return {pose.x_m + offset.x(), pose.y_m + offset.y(), wrap_angle(pose.yaw_rad + offset.z())};
+}
+
+Eigen::Vector3d offset_of(const Pose2<Map, Base>& pose, const Pose2<Map, Base>& from) {
+  return {pose.x_m - from.x_m, pose.y_m - from.y_m, wrap_angle(pose.yaw_rad - from.yaw_rad)};
+}
+
+double prior_cost(const AlignmentPrior& prior, const Eigen::Vector3d& offset) {
+  return 0.5 * offset.head<2>().squaredNorm() / (prior.sigma_xy_m * prior.sigma_xy_m) +
+         0.5 * offset.z() * offset.z() / (prior.sigma_yaw_rad * prior.sigma_yaw_rad);
+}
+
+namespace {
+
+Pose2<Map, Base> descended(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
+                           const AlignmentPrior& prior, const Pose2<Map, Base>& start) {
   const Eigen::Vector3d information(1.0 / (prior.sigma_xy_m * prior.sigma_xy_m),
                                     1.0 / (prior.sigma_xy_m * prior.sigma_xy_m),
                                     1.0 / (prior.sigma_yaw_rad * prior.sigma_yaw_rad));
-  Pose2<Map, Base> pose = prior.T_map_base;
+  Pose2<Map, Base> pose = start;
   for (int i = 0; i < kIterations; ++i) {
     const double kernel_m = std::max(kLastKernelM, kFirstKernelM * std::pow(0.7, i));
-    const Eigen::Vector3d from_prior(pose.x_m - prior.T_map_base.x_m, pose.y_m - prior.T_map_base.y_m,
-                                     wrap_angle(pose.yaw_rad - prior.T_map_base.yaw_rad));
     Normal normal = normal_equations(field, points_base, pose, kernel_m);
     normal.H += information.asDiagonal();
-    normal.b -= information.cwiseProduct(from_prior);
+    normal.b -= information.cwiseProduct(offset_of(pose, prior.T_map_base));
     const Eigen::Vector3d step = normal.H.ldlt().solve(normal.b);
-    pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.yaw_rad + step.z())};
+    pose = moved(pose, step);
     if (kernel_m == kLastKernelM && step.head<2>().norm() < 1e-4 && std::abs(step.z()) < 1e-4) break;
   }
   return pose;
+}
+
+/// What the last steps make small.
+double cost_of(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base, const AlignmentPrior& prior,
+               const Pose2<Map, Base>& pose) {
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(pose.yaw_rad).toRotationMatrix();
+  double sum = prior_cost(prior, offset_of(pose, prior.T_map_base));
+  for (const Eigen::Vector2d& p_base : points_base) {
+    sum += robust_cost(field.at(R * p_base + pose.position()).distance_m, kLastKernelM);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Pose2<Map, Base> aligned(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
+                         const AlignmentPrior& prior) {
+  const auto starts = best_in_window(field, points_base, prior);
+  Pose2<Map, Base> best = descended(field, points_base, prior, starts.front());
+  for (std::size_t i = 1; i < starts.size(); ++i) {
+    const Pose2<Map, Base> other = descended(field, points_base, prior, starts[i]);
+    if (cost_of(field, points_base, prior, other) < cost_of(field, points_base, prior, best)) best = other;
+  }
+  return best;
 }
 
 }  // namespace amiss::localize::internal

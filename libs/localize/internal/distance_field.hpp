@@ -8,6 +8,11 @@
 
 namespace amiss::localize::internal {
 
+/// Of a point so far from any wall (Geman and McClure): its square over twice the variance where that is near for the
+/// kernel, limited where it is far.
+[[nodiscard]] double robust_cost(double distance_m, double kernel_m);
+inline constexpr double kLastKernelM = 0.06;  // of the alignment's last steps
+
 class DistanceField {
  public:
   explicit DistanceField(const FloorGrid& map);
@@ -20,9 +25,14 @@ class DistanceField {
   [[nodiscard]] Sample at(const Eigen::Vector2d& p_map) const;
   static constexpr double kFar = 10.0;
 
+  /// The map's geometry, and for each of its cells the robust cost of a point at the cell's centre.
+  [[nodiscard]] const FloorGrid& frame() const { return frame_; }
+  [[nodiscard]] const std::vector<float>& cell_costs() const { return cell_costs_; }
+
  private:
   FloorGrid frame_;  // for its geometry
   std::vector<float> distance_m_;
+  std::vector<float> cell_costs_;
 };
 
 /// At most max_points valid returns in the base frame, evenly taken.
@@ -40,7 +50,15 @@ struct AlignmentPrior {
   double sigma_yaw_rad = radians(2.0);
 };
 
-/// Gauss-Newton with a redescending weight (Geman and McClure): points far from any wall have no say.
+/// Offsets are x [m], y [m], yaw [rad] in the map's frame.
+[[nodiscard]] Pose2<Map, Base> moved(const Pose2<Map, Base>& pose, const Eigen::Vector3d& offset);
+[[nodiscard]] Eigen::Vector3d offset_of(const Pose2<Map, Base>& pose, const Pose2<Map, Base>& from);
+
+/// Half the squared distance of a pose that is off the prior by x [m], y [m], yaw [rad], in deviations.
+[[nodiscard]] double prior_cost(const AlignmentPrior& prior, const Eigen::Vector3d& offset);
+
+/// Gauss-Newton from the best pose of a window round the prior (scan_search.hpp), with a redescending weight (Geman and
+/// McClure): points far from any wall have no say.
 [[nodiscard]] Pose2<Map, Base> aligned(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
                                        const AlignmentPrior& prior);
 
