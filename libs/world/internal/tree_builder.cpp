@@ -13,10 +13,9 @@
 #include <sdf/Visual.hh>
 #include <sdf/World.hh>
 #include <sdf/parser.hh>
-#include <stdexcept>
 
 #include "core/result.hpp"
-#include "world/internal/sdf_console.hpp"
+#include "world/internal/sdf_grammar.hpp"
 
 namespace amiss::world {
 namespace {
@@ -47,17 +46,6 @@ std::optional<double> friction_of(const sdf::Collision& collision) {
   }
   const double mu = element->Get<double>();
   return std::isfinite(mu) && mu >= 0.0 ? std::optional(std::min(mu, 10.0)) : std::nullopt;
-}
-
-/// The grammar of SDF, which takes libsdformat tens of milliseconds to set up: made once, used for every file.
-const sdf::SDFPtr& sdf_grammar() {
-  thread_local const sdf::SDFPtr grammar = [] {
-    silence_sdf_console();
-    auto made = std::make_shared<sdf::SDF>();
-    if (!sdf::init(made)) throw std::runtime_error("libsdformat cannot set up its own grammar");
-    return made;
-  }();
-  return grammar;
 }
 
 class Builder {
