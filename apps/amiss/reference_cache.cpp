@@ -17,15 +17,17 @@ namespace fs = std::filesystem;
 
 // Counts up when the mapping run changes, so that references of an older program are not used.
 constexpr std::string_view kFormat = "reference 2";
+constexpr std::size_t kIdDigits = 24;
 constexpr double kMappingTimeLimit = 4.0 * 3600.0;  // s, simulated
 
-std::string cache_key(const MappingInput& input, Settings& settings) {
+}  // namespace
+
+std::string reference_id(const MappingInput& input, Settings& settings) {
   const std::string start = fmt::format("{} {} {}", input.start.x_m, input.start.y_m, input.start.yaw_rad);
   return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", kFormat, AMISS_VERSION, world::fingerprint(input.world),
-                            sha256(load_bytes(input.robot_file)), start, settings.reference_key()));
+                            sha256(load_bytes(input.robot_file)), start, settings.reference_key()))
+      .substr(0, kIdDigits);
 }
-
-}  // namespace
 
 MappingOutcome run_mapping(const MappingInput& input, const Settings& settings, bool threaded, mission::Sinks sinks) {
   Worker worker(threaded);
@@ -67,7 +69,7 @@ PreparedReference load_prepared(const fs::path& folder, const Settings& settings
 
 std::optional<PreparedReference> cached_reference(const MappingInput& input, Settings& settings, bool threaded,
                                                   const mission::Sinks& sinks, const std::function<void()>& announce) {
-  const fs::path folder = cache_folder() / "references" / cache_key(input, settings).substr(0, 24);
+  const fs::path folder = cache_folder() / "references" / reference_id(input, settings);
   if (fs::exists(folder / "alignment.yaml")) return load_prepared(folder, settings);
   announce();
   const MappingOutcome outcome = run_mapping(input, settings, threaded, sinks);

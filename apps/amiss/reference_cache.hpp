@@ -40,6 +40,9 @@ void save_prepared(const std::filesystem::path& folder, const mission::Reference
                    const Pose2<World, Map>& T_world_map);
 [[nodiscard]] PreparedReference load_prepared(const std::filesystem::path& folder, const Settings& settings);
 
+/// A hash of all that a reference is made from; its name in the cache.
+[[nodiscard]] std::string reference_id(const MappingInput& input, Settings& settings);
+
 /// From the cache, or made now (`announce` is told so first) and put there. Empty when it was stopped.
 [[nodiscard]] std::optional<PreparedReference> cached_reference(const MappingInput& input, Settings& settings,
                                                                 bool threaded, const mission::Sinks& sinks,

@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "core/result.hpp"
+#include "experiment_run.hpp"
+
+namespace amiss::app {
+
+namespace {
+
+struct Arguments {
+  ExperimentOptions options;
+  std::string spec, folder;
+  std::vector<std::string> ids;
+};
+
+void add_plan(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status) {
+  CLI::App* plan = experiment.add_subcommand("plan", "the trials, their ids, how long it will take");
+  plan->add_option("SPEC", a->spec, "YAML file of the experiment")->required();
+  plan->add_option("-j,--jobs", a->options.jobs, "trials at a time")->check(CLI::Range(1, 1024))->capture_default_str();
+  plan->callback([a, &exit_status] { exit_status = plan_experiment(a->spec, a->options.jobs); });
+}
+
+void add_run(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status) {
+  ExperimentOptions& o = a->options;
+  CLI::App* run = experiment.add_subcommand("run", "do what has no result yet, then merge and plot");
+  run->add_option("SPEC", a->spec, "YAML file of the experiment")->required();
+  run->add_option("--out", o.out, "its folder; one that was begun is taken up again [runs/SPEC]");
+  run->add_option("-j,--jobs", o.jobs, "trials at a time")->check(CLI::Range(1, 1024))->capture_default_str();
+  run->add_flag("--retry-failed", o.retry_failed, "also do again what failed");
+  run->callback([a, &exit_status] { exit_status = run_experiment(a->spec, a->options); });
+}
+
+}  // namespace
+
+void add_experiment_command(CLI::App& app, int& exit_status) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* experiment = app.add_subcommand("experiment", "many trials of both methods, and what they say");
+  experiment->require_subcommand(1);
+  add_plan(*experiment, a, exit_status);
+  add_run(*experiment, a, exit_status);
+  CLI::App* work = experiment->add_subcommand("work", "do these trials here: what the tasks of a cluster call");
+  work->add_option("DIR", a->folder, "folder of the experiment")->required();
+  work->add_option("ID", a->ids, "of the trials")->required();
+  work->callback([a, &exit_status] { exit_status = work_on_experiment(a->folder, a->ids); });
+  CLI::App* status = experiment->add_subcommand("status", "what is done, failed and missing");
+  status->add_option("DIR", a->folder, "folder of the experiment")->required();
+  status->callback([a, &exit_status] { exit_status = show_experiment(a->folder); });
+}
+
+}  // namespace amiss::app

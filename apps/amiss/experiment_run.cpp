@@ -1,0 +1,133 @@
+#include "experiment_run.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "commands.hpp"
+#include "core/result.hpp"
+#include "experiment/runner.hpp"
+#include "interrupt.hpp"
+#include "time_left.hpp"
+#include "trial_basis.hpp"
+
+namespace amiss::app {
+
+namespace fs = std::filesystem;
+using experiment::Folder;
+using experiment::Trial;
+
+namespace {
+
+std::vector<Trial> trials_of(const fs::path& spec_file) {
+  const experiment::Spec spec = experiment::load_spec(spec_file);
+  return experiment::trials_of(spec, trial_keys(spec));
+}
+
+std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
+
+/// Held by the one `run` of a folder; gone with its process, however that ends.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder)
+      : file_(::open((folder / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+    if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      if (file_ >= 0) ::close(file_);
+      throw ArgumentError(folder.string() + ": another `amiss experiment run` works in it; one at a time is allowed");
+    }
+  }
+  ~FolderLock() { ::close(file_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
+
+experiment::RunHooks hooks_of(TimeLeft& left) {
+  experiment::RunHooks hooks;
+  hooks.stop = interrupted;
+  hooks.progress = [&left](std::size_t done, std::size_t of) { left.show(done, of); };
+  return hooks;
+}
+
+}  // namespace
+
+int plan_experiment(const fs::path& spec_file, int jobs) {
+  const experiment::Spec spec = experiment::load_spec(spec_file);
+  const auto trials = experiment::trials_of(spec, trial_keys(spec));
+  std::cout << experiment::to_tsv(trials);
+  const double wall_s = static_cast<double>(trials.size()) * spec.trial_wall_s / jobs;
+  std::cerr << fmt::format("{} trials, about {} with {} at a time\n", trials.size(), duration_text(wall_s), jobs);
+  return kGoalMet;
+}
+
+int run_experiment(const fs::path& spec_file, const ExperimentOptions& options) {
+  catch_interrupts();
+  const auto trials = trials_of(spec_file);
+  const fs::path out = options.out.empty() ? fs::path("runs") / spec_file.stem() : options.out;
+  const Folder folder = Folder::begin(out, spec_file, trials);
+  const FolderLock lock(folder.path());
+  folder.clear_work();
+  if (options.retry_failed) folder.forget_failures();
+  const auto tell = [](const std::string& world) { std::cerr << "amiss: mapping " << world << " once\n"; };
+  if (!prepare_references(folder.spec(), tell)) return interrupted() ? kInterrupted : kGoalNotMet;
+  TimeLeft left(folder.spec().trial_wall_s / options.jobs);
+  if (!experiment::run_trials(folder, folder.missing(), options.jobs, own_program(), hooks_of(left))) {
+    left.clear();
+    return kInterrupted;
+  }
+  left.clear();
+  return show_experiment(folder.path());
+}
+
+int work_on_experiment(const fs::path& path, const std::vector<std::string>& ids) {
+  catch_interrupts();
+  const Folder folder = Folder::open(path);
+  experiment::RunHooks hooks;
+  hooks.stop = interrupted;
+  for (const std::string& id : ids) {
+    if (!run_trial(folder, folder.trial(id), own_program(), hooks)) return kInterrupted;
+  }
+  return kGoalMet;
+}
+
+int show_experiment(const fs::path& path) {
+  const Folder folder = Folder::open(path);
+  struct Count {
+    int done = 0, failed = 0, incomplete = 0, missing = 0;
+  };
+  std::map<std::string, Count> counts;
+  Count all;
+  for (const Trial& trial : folder.trials()) {
+    Count& count = counts[fmt::format("{:<12}{:<10}{:>3} objects", trial.world, trial.method, trial.objects)];
+    if (!folder.has(trial)) {
+      ++count.missing, ++all.missing;
+      continue;
+    }
+    const experiment::TrialResult result = folder.result(trial);
+    if (result.failed) {
+      ++count.failed, ++all.failed;
+      std::cerr << fmt::format("failed: {} ({} {} {} objects, seed {}): {}\n", trial.id, trial.world, trial.method,
+                               trial.objects, trial.seed, result.why);
+    } else if (result.complete()) {
+      ++count.done, ++all.done;
+    } else {
+      ++count.incomplete, ++all.incomplete;
+    }
+  }
+  const auto line = [](const std::string& name, const Count& c) {
+    return fmt::format("{:<36}{:>6} all found{:>6} not all{:>6} failed{:>6} missing\n", name, c.done, c.incomplete,
+                       c.failed, c.missing);
+  };
+  for (const auto& [name, count] : counts) std::cout << line(name, count);
+  std::cout << line("all", all);
+  return all.failed + all.missing == 0 ? kGoalMet : kGoalNotMet;
+}
+
+}  // namespace amiss::app

@@ -1,0 +1,127 @@
+#include "experiment/folder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/files.hpp"
+#include "core/result.hpp"
+
+namespace amiss::experiment {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path spec_of(const fs::path& path) { return path / "experiment.yaml"; }
+fs::path plan_of(const fs::path& path) { return path / "plan.tsv"; }
+
+}  // namespace
+
+Folder::Folder(fs::path path, Spec spec, std::vector<Trial> trials)
+    : path_(std::move(path)), spec_(std::move(spec)), trials_(std::move(trials)) {
+  for (const char* name : {"trials", "times", "work"}) fs::create_directories(path_ / name);
+}
+
+Folder Folder::begin(const fs::path& path, const fs::path& spec_file, const std::vector<Trial>& trials) {
+  Spec spec = load_spec(spec_file);
+  const std::string plan = to_tsv(trials);
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error || !fs::is_directory(path)) throw ArgumentError(path.string() + ": cannot be made a folder");
+  if (fs::exists(plan_of(path))) {
+    if (load_bytes(plan_of(path)) != plan) {
+      throw ArgumentError(path.string() +
+                          ": holds another experiment, or its world, parameters or robot changed since "
+                          "then; a new folder is allowed for --out");
+    }
+  } else if (!fs::is_empty(path) && !fs::exists(spec_of(path))) {
+    throw ArgumentError(path.string() +
+                        ": holds something else; a folder that is new, empty or of this experiment is "
+                        "allowed for --out");
+  }
+  save_atomically(spec_of(path), load_bytes(spec_file));
+  save_atomically(plan_of(path), plan);
+  return {fs::absolute(path), std::move(spec), trials};
+}
+
+Folder Folder::open(const fs::path& path) {
+  if (!fs::exists(plan_of(path)))
+    throw InputError(path.string() + ": is no folder of an experiment (plan.tsv is missing)");
+  auto trials = parse_plan(load_bytes(plan_of(path)), plan_of(path).string());
+  return {fs::absolute(path), load_spec(spec_of(path)), std::move(trials)};
+}
+
+const Trial& Folder::trial(const std::string& id) const {
+  const auto found = std::find_if(trials_.begin(), trials_.end(), [&](const Trial& t) { return t.id == id; });
+  if (found == trials_.end()) throw ArgumentError(id + ": is no trial of " + path_.string());
+  return *found;
+}
+
+fs::path Folder::result_file(const Trial& trial) const { return path_ / "trials" / (trial.id + ".json"); }
+
+bool Folder::has(const Trial& trial) const { return fs::exists(result_file(trial)); }
+
+std::vector<Trial> Folder::missing() const {
+  std::vector<Trial> missing;
+  std::copy_if(trials_.begin(), trials_.end(), std::back_inserter(missing), [&](const Trial& t) { return !has(t); });
+  return missing;
+}
+
+std::string Folder::result_bytes(const Trial& trial) const { return load_bytes(result_file(trial)); }
+
+TrialResult Folder::result(const Trial& trial) const {
+  return parse_result(trial, result_bytes(trial), result_file(trial).string());
+}
+
+std::vector<TrialResult> Folder::results() const {
+  std::vector<TrialResult> results;
+  for (const Trial& trial : trials_) {
+    if (has(trial)) results.push_back(result(trial));
+  }
+  return results;
+}
+
+std::optional<TrialTimes> Folder::times(const Trial& trial) const {
+  const fs::path file = path_ / "times" / (trial.id + ".json");
+  if (!fs::exists(file)) return std::nullopt;
+  return parse_times(load_bytes(file), file.string());
+}
+
+/// The times first: who sees a result may ask for them.
+void Folder::save_result(const Trial& trial, std::string_view text, std::string_view times) const {
+  if (!times.empty()) save_atomically(path_ / "times" / (trial.id + ".json"), times);
+  save_atomically(result_file(trial), text);
+}
+
+void Folder::forget_failures() const {
+  for (const TrialResult& result : results()) {
+    if (result.failed) fs::remove(result_file(result.trial));
+  }
+}
+
+fs::path Folder::work_folder(const Trial& trial) const {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  fs::path folder = path_ / "work" / fmt::format("{}.{}.{}", trial.id, host.data(), ::getpid());
+  fs::remove_all(folder);
+  return folder;
+}
+
+void Folder::clear_work() const {
+  for (const auto& entry : fs::directory_iterator(path_ / "work")) fs::remove_all(entry);
+  for (const char* name : {"trials", "times"}) {  // what was half written when a run was killed
+    for (const auto& entry : fs::directory_iterator(path_ / name)) {
+      if (entry.path().extension() != ".json") fs::remove(entry);
+    }
+  }
+}
+
+void Folder::save(const fs::path& name, std::string_view bytes) const {
+  fs::create_directories((path_ / name).parent_path());
+  save_atomically(path_ / name, bytes);
+}
+
+}  // namespace amiss::experiment

@@ -1,0 +1,53 @@
+// The folder of an experiment: experiment.yaml (the spec as it was), plan.tsv, trials/ID.json, times/ID.json, work/ for
+// what is under way, and what merging makes of it. A result file is there whole or not at all, so that a run may be
+// killed at any time; the same trial done twice writes the same bytes.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/result.hpp"
+#include "experiment/spec.hpp"
+#include "experiment/trial.hpp"
+
+namespace amiss::experiment {
+
+class Folder {
+ public:
+  /// Makes it, or takes up the same experiment again. ArgumentError when it holds something else or another experiment.
+  static Folder begin(const std::filesystem::path& path, const std::filesystem::path& spec_file,
+                      const std::vector<Trial>& trials);
+  /// One that is there already; InputError when it is none.
+  static Folder open(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const Spec& spec() const { return spec_; }
+  [[nodiscard]] const std::vector<Trial>& trials() const { return trials_; }
+  [[nodiscard]] const Trial& trial(const std::string& id) const;  // ArgumentError when there is none
+
+  [[nodiscard]] bool has(const Trial& trial) const;
+  [[nodiscard]] std::vector<Trial> missing() const;
+  [[nodiscard]] std::string result_bytes(const Trial& trial) const;
+  [[nodiscard]] TrialResult result(const Trial& trial) const;
+  [[nodiscard]] std::vector<TrialResult> results() const;  // of the trials that are there, in the order of the plan
+  [[nodiscard]] std::optional<TrialTimes> times(const Trial& trial) const;
+
+  void save_result(const Trial& trial, std::string_view text, std::string_view times) const;
+  void forget_failures() const;  // so that they are run again
+  /// A new folder for one run of a trial, which nobody else uses.
+  [[nodiscard]] std::filesystem::path work_folder(const Trial& trial) const;
+  void clear_work() const;
+  void save(const std::filesystem::path& name, std::string_view bytes) const;
+
+ private:
+  Folder(std::filesystem::path path, Spec spec, std::vector<Trial> trials);
+  [[nodiscard]] std::filesystem::path result_file(const Trial& trial) const;
+
+  std::filesystem::path path_;
+  Spec spec_;
+  std::vector<Trial> trials_;
+};
+
+}  // namespace amiss::experiment

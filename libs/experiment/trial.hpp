@@ -1,0 +1,35 @@
+// One run of one method: what it is made of, its id, and the plan of an experiment as a table.
+// The id is a hash of world, method, objects, seeds, parameters and reference, so that a result can never be taken for
+// another's.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/spec.hpp"
+
+namespace amiss::experiment {
+
+struct Trial {
+  std::string id;  // 20 hex digits
+  std::string world, method;
+  int objects = 0;
+  std::uint64_t seed = 0, scatter_seed = 0;
+  bool operator==(const Trial&) const = default;
+};
+
+/// All trials, in the order world, objects, method, seed. `keys`: for each world a text of all that its trials depend
+/// on beside the fields of Trial and the time limit (world, robot, catalogue, parameters, reference).
+[[nodiscard]] std::vector<Trial> trials_of(const Spec& spec, const std::map<std::string, std::string>& keys);
+
+/// The arguments of `amiss` for a trial, its run folder in `out`.
+[[nodiscard]] std::vector<std::string> arguments_of(const Trial& trial, const Spec& spec, const std::string& out);
+
+/// Tab-separated, one line a trial.
+[[nodiscard]] std::string to_tsv(const std::vector<Trial>& trials);
+/// InputError naming `file` and line when it is no plan.
+[[nodiscard]] std::vector<Trial> parse_plan(std::string_view text, const std::string& file);
+
+}  // namespace amiss::experiment
