@@ -9,7 +9,7 @@
 namespace amiss::app {
 
 struct Resources {
-  std::filesystem::path worlds, robot, objects, pddl;
+  std::filesystem::path worlds, robot, objects, pddl, scenarios;
 };
 [[nodiscard]] Resources find_resources();
 

@@ -11,17 +11,19 @@ void describe(ParamTable& table, RefereeParams& p) {
   table.number("referee.region_margin", p.region_margin_m, "m", 0.0, 1.0, "a region so near to an object is not false");
 }
 
-Referee::Referee(std::vector<world::ObjectTruth> placed, const Transform<World, Map>& T_world_map,
+Referee::Referee(const std::vector<world::ObjectTruth>& placed, const Transform<World, Map>& T_world_map,
                  const RefereeParams& params)
     : T_world_map_(T_world_map), params_(params) {
-  for (world::ObjectTruth& object : placed) {
-    ObjectVerdict verdict;
-    verdict.name = std::move(object.name);
-    verdict.kind = std::move(object.kind);
-    verdict.position_world = object.bounds.center();
-    verdicts_.push_back(std::move(verdict));
-    instances_.push_back(object.instance);
-  }
+  for (const world::ObjectTruth& object : placed) place(object);
+}
+
+void Referee::place(const world::ObjectTruth& object) {
+  ObjectVerdict verdict;
+  verdict.name = object.name;
+  verdict.kind = object.kind;
+  verdict.position_world = object.bounds.center();
+  verdicts_.push_back(std::move(verdict));
+  instances_.push_back(object.instance);
 }
 
 std::vector<std::string> Referee::judge(Stamp now, std::span<const JudgedSegment> segments,

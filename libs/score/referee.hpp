@@ -40,8 +40,11 @@ struct ObjectVerdict {
 class Referee {
  public:
   /// `T_world_map`: how the robot's map lies in the world (score/alignment.hpp).
-  Referee(std::vector<world::ObjectTruth> placed, const Transform<World, Map>& T_world_map,
+  Referee(const std::vector<world::ObjectTruth>& placed, const Transform<World, Map>& T_world_map,
           const RefereeParams& params);
+
+  /// An object that was put there later.
+  void place(const world::ObjectTruth& object);
 
   /// Judges the segments of one frame at `now`; `objects` are the true places at the time of the frame. Returns the
   /// names of objects that were found by it for the first time.

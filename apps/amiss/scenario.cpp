@@ -1,0 +1,134 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "core/files.hpp"
+#include "core/result.hpp"
+#include "interrupt.hpp"
+#include "scenario_jobs.hpp"
+#include "scenario_run.hpp"
+
+namespace amiss::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds kLimit{600};  // of one run, on the clock; what takes longer hangs
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::string junit, out;
+  int parallel = 2;
+  bool prove = false, quiet = false;
+  int child = -2;  // which break a child runs; -1 none
+};
+
+/// Folders stand for the scenarios in them, sorted.
+std::vector<fs::path> expanded(const std::vector<std::string>& names) {
+  std::vector<fs::path> files;
+  for (const std::string& name : names) {
+    if (!fs::is_directory(name)) {
+      files.emplace_back(name);
+      continue;
+    }
+    std::vector<fs::path> inside;
+    for (const auto& entry : fs::directory_iterator(name)) {
+      if (entry.path().extension() == ".yaml") inside.push_back(entry.path());
+    }
+    std::sort(inside.begin(), inside.end());
+    if (inside.empty()) throw InputError(name + ": no scenario (*.yaml) is in this folder");
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+int run_child(const Arguments& a) {
+  catch_interrupts();
+  try {
+    const auto scenario = scenario::load_scenario(a.files.at(0), vocabulary_of(find_resources()));
+    std::cout << run_job(scenario, a.child, false, a.out);
+    return kGoalMet;
+  } catch (const ArgumentError&) {
+    throw;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& e) {
+    std::cerr << "amiss: " << e.what() << "\n";
+    return kProgramFailed;
+  }
+}
+
+/// The file of a job's log and picture, without the ending.
+fs::path kept_at(const Arguments& a, const ScenarioJob& job) {
+  if (a.out.empty()) return {};
+  return fs::path(a.out) /
+         (job.file.stem().string() + (job.break_index < 0 ? "" : "-broken-" + std::to_string(job.break_index + 1)));
+}
+
+std::vector<std::string> words_of(const Arguments& a, const ScenarioJob& job) {
+  std::vector<std::string> words{"scenario", job.file.string(), "--child", std::to_string(job.break_index)};
+  if (!a.out.empty()) words.insert(words.end(), {"--out", kept_at(a, job).string()});
+  return words;
+}
+
+std::vector<JobResult> run_jobs(const Arguments& a, const std::vector<ScenarioJob>& jobs) {
+  std::vector<std::vector<std::string>> words;
+  for (const ScenarioJob& job : jobs) words.push_back(words_of(a, job));
+  std::vector<JobResult> results(jobs.size());
+  for (std::size_t i = 0; i < jobs.size(); ++i) results[i].job = jobs[i];
+  run_children(words, a.parallel, kLimit, [&](std::size_t index, const ChildResult& child) {
+    results[index] = judge_job(jobs[index], child);
+    if (!a.quiet && !interrupted()) std::cout << line_of(results[index]) << std::flush;
+  });
+  return results;
+}
+
+/// The worst of all: a program that failed, then a wrong scenario, then an expectation.
+int status_of(const std::vector<JobResult>& results) {
+  int worst = kGoalMet;
+  for (const JobResult& r : results) worst = std::max(worst, r.exit_status);
+  return interrupted() ? kInterrupted : worst;
+}
+
+int run_files(const Arguments& a) {
+  catch_interrupts();
+  std::vector<ScenarioJob> jobs;
+  const scenario::Vocabulary words = vocabulary_of(find_resources());
+  for (const fs::path& file : expanded(a.files)) {
+    const scenario::Scenario scenario = scenario::load_scenario(file, words);
+    if (a.prove && scenario.breaks.empty()) throw InputError(file.string() + ": --prove needs 'breaks'");
+    const auto own = jobs_of(scenario, a.prove);
+    jobs.insert(jobs.end(), own.begin(), own.end());
+  }
+  if (!a.out.empty()) fs::create_directories(a.out);
+  const std::vector<JobResult> results = run_jobs(a, jobs);
+  const auto good =
+      std::count_if(results.begin(), results.end(), [](const JobResult& r) { return r.exit_status == 0; });
+  if (!a.quiet) std::cout << good << " of " << results.size() << " as expected\n";
+  std::vector<report::JunitCase> cases;
+  for (const JobResult& r : results) cases.push_back(junit_of(r));
+  if (!a.junit.empty()) save_atomically(a.junit, report::to_junit("scenarios", cases));
+  return status_of(results);
+}
+
+}  // namespace
+
+void add_scenario_command(CLI::App& app, int& exit_status) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("scenario", "scripted runs: what happens meanwhile, and what must come of it");
+  command->add_option("files", a->files, "scenario files, or folders of them")->required();
+  command->add_flag("--prove", a->prove, "also break each scenario as its file says, and see that it fails");
+  command->add_option("--junit", a->junit, "write the results to this file, as JUnit XML");
+  command->add_option("-j,--jobs", a->parallel, "runs at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--out", a->out, "keep a log and a floor plan of each run in this folder");
+  command->add_flag("--quiet", a->quiet, "the exit status alone");
+  command->add_option("--child", a->child)->group("");  // what runs one scenario for the others
+  command->callback([a, &exit_status] { exit_status = a->child >= -1 ? run_child(*a) : run_files(*a); });
+}
+
+}  // namespace amiss::app

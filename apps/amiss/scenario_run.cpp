@@ -1,0 +1,111 @@
+#include "scenario_run.hpp"
+
+#include <algorithm>
+
+#include "core/result.hpp"
+#include "interrupt.hpp"
+#include "reference_cache.hpp"
+#include "scenario_watch.hpp"
+#include "start_pose.hpp"
+
+namespace amiss::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> folders_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(folder)) return names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (fs::exists(entry.path() / "model.sdf")) names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void apply(Settings& settings, const std::vector<scenario::Setting>& differing) {
+  ParamTable table = settings.table();
+  for (const scenario::Setting& s : differing) table.set(s.key, s.value, s.where);
+}
+
+std::map<std::string, world::Body> load_bodies(const Resources& resources, const world::Script& script,
+                                               const world::LoadOptions& options) {
+  const std::vector<std::string> objects = folders_in(resources.objects);
+  std::map<std::string, world::Body> bodies;
+  for (const std::string& kind : scenario::kinds_of(script)) {
+    const bool is_object = std::find(objects.begin(), objects.end(), kind) != objects.end();
+    const fs::path furniture = resources.worlds / "models" / kind, own = resources.scenarios / "models" / kind;
+    const fs::path folder = is_object ? resources.objects / kind : fs::exists(furniture) ? furniture : own;
+    world::Body body = world::load_model(folder, options);
+    body.name = kind;
+    if (is_object) body.is_static = false;
+    bodies.emplace(kind, std::move(body));
+  }
+  return bodies;
+}
+
+PreparedReference reference_of(const world::World& world, const robot::Model& model, const Pose2<World, Base>& start,
+                               const Resources& resources, Settings& settings, bool threaded) {
+  mission::Sinks sinks;
+  sinks.stop = interrupted;
+  auto prepared = cached_reference({world, model, start, resources.robot}, settings, threaded, sinks, [] {});
+  if (!prepared) throw std::runtime_error("the mapping run did not come to its end");
+  return std::move(*prepared);
+}
+
+score::Referee make_referee(const PreparedReference& prepared, const Settings& settings) {
+  Transform<World, Map> T_world_map = prepared.T_world_map.lift();
+  T_world_map.T.translate(Eigen::Vector3d(0.0, 0.0, settings.mission.perception.floor_clearance_m));
+  return {{}, T_world_map, settings.referee};
+}
+
+}  // namespace
+
+bool ScenarioOutcome::as_expected() const {
+  return std::all_of(findings.begin(), findings.end(), [](const score::Finding& f) { return f.holds; });
+}
+
+scenario::Vocabulary vocabulary_of(const Resources& resources) {
+  scenario::Vocabulary words{folders_in(resources.objects), folders_in(resources.worlds / "models")};
+  const std::vector<std::string> own = folders_in(resources.scenarios / "models");
+  words.furniture.insert(words.furniture.end(), own.begin(), own.end());
+  return words;
+}
+
+ScenarioOutcome run_scenario(const scenario::Scenario& scenario, bool threaded) {
+  const Resources resources = find_resources();
+  Settings settings = load_settings("", {});
+  apply(settings, scenario.reference_params);
+  world::World world = world::load_world(find_world(resources, scenario.world), settings.world);
+  const robot::Model model = robot::load_model(resources.robot);
+  const Pose2<World, Base> home = start_pose(world, model, {});
+  const PreparedReference prepared = reference_of(world, model, home, resources, settings, threaded);
+
+  apply(settings, scenario.params);
+  settings.mission.perception.time_limit_s = scenario.time_limit_s;
+  auto bodies = load_bodies(resources, scenario.script, settings.world);
+  const std::vector<world::Body> movable = sim::unfix(world, scenario.script);
+  Worker worker(threaded);
+  sim::Simulator simulator(world, model, settings.simulator, scenario.seed, scenario.start.value_or(home), worker);
+  for (const world::Body& body : movable) simulator.add_object(body, body.pose, body.name);
+  sim::ScriptedRobot robot(simulator, scenario.script, std::move(bodies), scenario.seed);
+
+  score::Referee referee = make_referee(prepared, settings);
+  knowledge::KnowledgeBase knowledge(settings.mission.knowledge);
+  const plan::Domain domain = plan::load_domain(resources.pddl / "search.pddl");
+  ScenarioWatch watch(scenario, simulator, robot, referee, knowledge, prepared.T_world_map);
+  const mission::Sinks sinks = watch.sinks();
+  mission::Search search(robot, prepared.reference, knowledge, domain, settings.mission, scenario.seed,
+                         scenario.until_found, sinks);
+  const mission::SearchReport result = search.run();
+
+  ScenarioOutcome outcome;
+  outcome.findings = score::judge(scenario.expect, watch.record(result));
+  outcome.simulated_s = seconds(result.ended);
+  outcome.log = watch.log();
+  outcome.picture_png = report::to_png(watch.floor_plan(prepared.reference.floor, search.seen_floor()));
+  return outcome;
+}
+
+}  // namespace amiss::app

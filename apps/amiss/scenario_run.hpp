@@ -1,0 +1,26 @@
+// One run of a scenario in this process: world, reference, script, search, findings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "resources.hpp"
+#include "scenario/scenario_file.hpp"
+
+namespace amiss::app {
+
+struct ScenarioOutcome {
+  std::vector<score::Finding> findings;
+  double simulated_s = 0.0;
+  std::string log, picture_png;
+
+  [[nodiscard]] bool as_expected() const;
+};
+
+/// Kinds of objects and furniture by the names of their folders.
+[[nodiscard]] scenario::Vocabulary vocabulary_of(const Resources& resources);
+
+/// Errors: ArgumentError and InputError for a scenario that cannot be, others for a program that failed.
+[[nodiscard]] ScenarioOutcome run_scenario(const scenario::Scenario& scenario, bool threaded);
+
+}  // namespace amiss::app
