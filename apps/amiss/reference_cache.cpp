@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Counts up when the mapping run changes, so that references of an older program are not used.
-constexpr std::string_view kFormat = "reference 2";
+constexpr std::string_view kFormat = "reference 3";
 constexpr std::size_t kIdDigits = 24;
 constexpr double kMappingTimeLimit = 4.0 * 3600.0;  // s, simulated
 
@@ -39,6 +39,7 @@ MappingOutcome run_mapping(const MappingInput& input, const Settings& settings, 
   };
   mission::Params params = settings.mission;
   params.perception.time_limit_s = kMappingTimeLimit;
+  params.perception.threaded = threaded;
   MappingOutcome outcome;
   outcome.report = mission::make_reference(simulator, params, input.seed, sinks);
   outcome.T_world_map = score::align(poses);

@@ -224,6 +224,7 @@ TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
                           : std::filesystem::path(options.out));
   folder.save("params.yaml", settings.table().to_yaml());
   settings.mission.perception.time_limit_s = options.time_limit_s;
+  settings.mission.perception.threaded = options.threads > 1;
 
   TidyOutcome outcome;
   outcome.folder = folder.path().string();

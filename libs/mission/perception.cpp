@@ -31,7 +31,8 @@ Perception::Perception(robot::Robot& robot, std::unique_ptr<Tracker> tracker, co
       params_(params),
       sinks_(sinks),
       voxels_(voxels),
-      layer_(floor, voxels.resolution_m) {}
+      layer_(floor, voxels.resolution_m),
+      inserter_(params.threaded) {}
 
 bool Perception::step(const robot::Command& command) {
   robot_.command(command);
@@ -48,12 +49,7 @@ bool Perception::step(const robot::Command& command) {
         motion::laser_hits(*seen.scan, pose_.T_map_base, robot_.model().T_base_laser, params_.obstacle_range_m);
     returned_part_ = part_returned(*seen.scan);
   }
-  if (seen.frame) {
-    const Transform<Map, Camera> T_map_camera = camera_pose(*seen.frame);
-    if (pose_.converged) voxels_.insert(seen.frame->frame, T_map_camera);
-    last_frame_ = LocatedFrame{std::move(*seen.frame), T_map_camera};
-    sinks_.frame({&last_frame_->captured.frame, T_map_camera});
-  }
+  if (seen.frame) keep(std::move(*seen.frame));
   sinks_.step({pose_, bumper_, head_});
   return !sinks_.stop() && !out_of_time();
 }
@@ -64,12 +60,33 @@ Transform<Map, Camera> Perception::camera_pose(const robot::CapturedFrame& captu
   return T_map_base * captured.T_base_camera;
 }
 
+void Perception::keep(robot::CapturedFrame captured) {
+  join();
+  const Transform<Map, Camera> T_map_camera = camera_pose(captured);
+  last_frame_ = LocatedFrame{std::move(captured), T_map_camera};
+  if (pose_.converged) {
+    insertion_ = inserter_.submit([this] { voxels_.insert(last_frame_->captured.frame, last_frame_->T_map_camera); });
+  }
+  sinks_.frame({&last_frame_->captured.frame, T_map_camera});
+}
+
+void Perception::join() {
+  if (insertion_.valid()) insertion_.get();
+}
+
+const mapping::VoxelMap& Perception::voxels() {
+  join();
+  return voxels_;
+}
+
 const mapping::ObstacleLayer& Perception::obstacles() {
+  join();
   layer_.update(voxels_);
   return layer_;
 }
 
 void Perception::restart(std::unique_ptr<Tracker> tracker, const FloorGrid& floor) {
+  join();
   tracker_ = std::move(tracker);
   layer_ = mapping::ObstacleLayer(floor, voxels_.resolution_m());
   voxels_ = mapping::VoxelMap(voxels_.params());

@@ -3,9 +3,11 @@
 // of it knows the truth. Thesis, figure 4.2.
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 
+#include "core/worker.hpp"
 #include "mapping/obstacle_layer.hpp"
 #include "mapping/voxel_map.hpp"
 #include "mission/sinks.hpp"
@@ -19,6 +21,7 @@ struct PerceptionParams {
   double floor_clearance_m = 0.012;  // z = 0 of the map above the floor: its noise stays in the voxels under it
   double obstacle_range_m = 4.0;     // of laser hits that count as obstacles
   double time_limit_s = 3600.0;      // simulated; the mission ends there
+  bool threaded = true;              // insert into the voxel map beside the caller; the result is the same
 };
 void describe(ParamTable& table, PerceptionParams& p);
 
@@ -41,7 +44,8 @@ class Perception {
   [[nodiscard]] const robot::HeadState& head() const { return head_; }
   [[nodiscard]] bool bumper() const { return bumper_; }
   [[nodiscard]] const robot::Model& model() const { return robot_.model(); }
-  [[nodiscard]] const mapping::VoxelMap& voxels() const { return voxels_; }
+  /// With all frames so far: waits for the last one.
+  [[nodiscard]] const mapping::VoxelMap& voxels();
   /// Obstacles and floor seen so far, brought up to date by this call.
   const mapping::ObstacleLayer& obstacles();
   [[nodiscard]] const std::optional<LocatedFrame>& last_frame() const { return last_frame_; }
@@ -59,6 +63,8 @@ class Perception {
 
  private:
   [[nodiscard]] Transform<Map, Camera> camera_pose(const robot::CapturedFrame& captured) const;
+  void keep(robot::CapturedFrame captured);
+  void join();
 
   robot::Robot& robot_;
   std::unique_ptr<Tracker> tracker_;
@@ -74,6 +80,8 @@ class Perception {
   std::optional<LocatedFrame> last_frame_;
   std::vector<Eigen::Vector2d> laser_hits_map_;
   double returned_part_ = 1.0;
+  std::future<void> insertion_;  // of last_frame_ into voxels_
+  Worker inserter_;              // the last member, so that it ends before what it works on
 };
 
 }  // namespace amiss::mission

@@ -41,7 +41,7 @@ class SearchMethod {
 
   SearchReport run();
 
-  [[nodiscard]] const mapping::VoxelMap& voxels() const { return perception_.voxels(); }
+  [[nodiscard]] const mapping::VoxelMap& voxels() { return perception_.voxels(); }
   [[nodiscard]] const FloorGrid& seen_floor() { return perception_.obstacles().seen_floor(); }
 
  protected:
