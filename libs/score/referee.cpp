@@ -44,13 +44,19 @@ std::vector<std::string> Referee::judge(Stamp now, std::span<const JudgedSegment
       const auto shared = std::count_if(segment.pixels.begin(), segment.pixels.end(), [&](std::uint32_t pixel) {
         return instances.instances[pixel] == instances_[i];
       });
-      const bool covers =
-          shared > 0 && static_cast<double>(shared) >= params_.min_cover * static_cast<double>(visible) &&
-          static_cast<double>(shared) >= params_.min_purity * static_cast<double>(segment.pixels.size());
-      if (!covers) continue;
+      if (shared == 0) continue;
+      const double cover = static_cast<double>(shared) / static_cast<double>(visible);
+      const double purity = static_cast<double>(shared) / static_cast<double>(segment.pixels.size());
+      if (!verdict.covered && cover > verdict.cover) {
+        verdict.cover = cover;
+        verdict.purity = purity;
+      }
+      if (cover < params_.min_cover || purity < params_.min_purity) continue;
       const double error = ((T_world_map_ * segment.centre).p - verdict.position_world).norm();
       if (verdict.covered && error >= verdict.error_m) continue;
       verdict.covered = true;
+      verdict.cover = cover;
+      verdict.purity = purity;
       verdict.error_m = error;
       verdict.found_position = segment.centre;
     }

@@ -34,6 +34,8 @@ struct ObjectVerdict {
   double found_at_s = 0.0;    // simulated
   double error_m = 0.0;       // of the segment that counted, else of the best that covered it
   bool covered = false;       // some segment covered it, near enough or not
+  double cover = 0.0;         // part of the object's pixels in that segment, or in the one that held most of them
+  double purity = 0.0;        // part of that segment's pixels that show the object
   Point<Map> found_position;  // of that segment
 };
 

@@ -52,6 +52,8 @@ TEST_F(RefereeOf, CoveredNearIsFoundOnce) {
   EXPECT_TRUE(verdict.found);
   EXPECT_DOUBLE_EQ(verdict.found_at_s, 12.5);
   EXPECT_NEAR(verdict.error_m, 0.03, 1e-12);
+  EXPECT_DOUBLE_EQ(verdict.cover, 38.0 / 40.0);
+  EXPECT_DOUBLE_EQ(verdict.purity, 1.0);
   EXPECT_EQ(verdict.found_position.p, kAtMug.p);
   EXPECT_EQ(referee.found(), 1);
   EXPECT_FALSE(referee.all_found());
