@@ -57,7 +57,7 @@ bool Search::compare() {
   const double before = sinks_.wall_clock_ms();
   const change::Difference& difference = differencer_.update(perception_.voxels());
   const auto regions = change::regions(difference.appeared, perception_.voxels(), params_.region);
-  sinks_.compared({perception_.now(), sinks_.wall_clock_ms() - before, &difference, &perception_.voxels()});
+  sinks_.compared({perception_.now(), sinks_.wall_clock_ms() - before, &difference});
   std::vector<knowledge::Sighting> sightings;
   for (const change::Region& r : regions) {
     const Eigen::Vector3d middle(r.centre_m.x(), r.centre_m.y(), 0.5 * (r.z_low_m + r.z_high_m));

@@ -10,7 +10,6 @@
 #include "core/floor_grid.hpp"
 #include "core/sensors.hpp"
 #include "knowledge/knowledge_base.hpp"
-#include "mapping/voxel_map.hpp"
 #include "mission/visit_plan.hpp"
 #include "motion/path.hpp"
 #include "robot/robot.hpp"
@@ -66,8 +65,7 @@ struct PathEvent {
 struct DifferenceEvent {
   Stamp stamp;
   double wall_ms = 0.0;
-  const change::Difference* difference = nullptr;  // they live during the call
-  const mapping::VoxelMap* current = nullptr;
+  const change::Difference* difference = nullptr;  // lives during the call
 };
 
 struct ProgressEvent {

@@ -1,0 +1,27 @@
+// report.html: the page with a run inside, one file that opens without a server and without a network.
+// Lines of a timeline, its pictures, texts by name -> HTML. So that it stays small it holds the run's end and no more
+// of the way there than fits: poses thinned to kMostPoses, events of a kind that takes more than kMostOfAKind bytes by
+// their last one (the voxels of the map by what is occupied at the end), pictures of examinations and the last frame
+// up to kMostPictures bytes. InputError for lines that are no timeline.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "page/events.hpp"
+
+namespace amiss::page {
+
+inline constexpr std::size_t kMostPoses = 1500, kMostOfAKind = 250'000, kMostPictures = 700'000;
+
+struct ReportPage {
+  std::vector<std::string> lines;             // of timeline.jsonl
+  std::function<std::string(Slice)> picture;  // JPEG bytes
+  std::map<std::string, std::string> texts;   // "params.yaml" -> what stands in it
+};
+
+[[nodiscard]] std::string to_html(const ReportPage& page);
+
+}  // namespace amiss::page

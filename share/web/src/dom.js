@@ -1,0 +1,32 @@
+// Small helpers to make elements; text is always set as text, never as markup.
+
+export function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === false) continue;
+    if (name.startsWith('on')) element.addEventListener(name.slice(2), value);
+    else element.setAttribute(name, value === true ? '' : value);
+  }
+  element.append(...children.filter((child) => child !== undefined));
+  return element;
+}
+
+const SVG = 'http://www.w3.org/2000/svg';
+export function svg(tag, attributes = {}, ...children) {
+  const element = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+
+/** Letter on its colour. */
+export function badge(look) {
+  const element = make('b', { class: 'badge', title: look.meaning }, look.letter);
+  element.style.background = look.colour;
+  return element;
+}
+
+export const metres = (value, digits = 2) => (value === null || value === undefined ? '–' : `${value.toFixed(digits)} m`);
+export const seconds = (value) => (value === null || value === undefined ? '–' : `${value.toFixed(1)} s`);
+export const percent = (value) => `${Math.round(100 * value)} %`;
+export const place = (p) => `${p[0].toFixed(2)}, ${p[1].toFixed(2)}`;

@@ -1,0 +1,131 @@
+// The layers of the scene, each made anew only when what it shows has changed.
+import * as THREE from 'three';
+import { Floor } from './floor.js';
+import { Robot } from './robot.js';
+import { Voxels } from './voxels.js';
+import { box, cylinder, dispose, handle, letterAt, lineThrough, ribbonThrough, triangle } from './marks.js';
+import { OBJECT, PALETTE, REGION, SEGMENT, VIEW, objectLook, themed } from './look.js';
+
+/** Name, what it is called, colour of its sign, shown at first. */
+export const LAYERS = [
+  ['floor', 'floor plan', '#b9bec6', true],
+  ['reference', 'reference map', '#9aa0a8', true],
+  ['current', 'map now', '#5b7fa6', true],
+  ['difference', 'difference', PALETTE.orange, true],
+  ['views', 'view triangles', PALETTE.sky, true],
+  ['path', 'way and plan', PALETTE.yellow, true],
+  ['trail', 'driven', PALETTE.blue, true],
+  ['regions', 'regions', REGION.open.colour, true],
+  ['objects', 'objects', OBJECT.found.colour, true],
+  ['robot', 'robot', PALETTE.purple, true],
+];
+
+export class Layers {
+  constructor(world) {
+    this.groups = {};
+    this.shown = {};
+    for (const [name, , , on] of LAYERS) {
+      world.add((this.groups[name] = new THREE.Group()));
+      this.groups[name].visible = on;
+    }
+    this.reference = new Voxels({ low: '#9aa0a8', size: 0.98, opacity: 0.35, order: 1 });
+    this.current = new Voxels({ low: '#33536f', high: '#9cc3e6', order: 2 });
+    this.appeared = new Voxels({ low: PALETTE.orange, size: 1.25, order: 3 });
+    this.vanished = new Voxels({ low: PALETTE.blue, size: 1.25, order: 3 });
+    this.groups.reference.add(this.reference.object);
+    this.groups.current.add(this.current.object);
+    this.groups.difference.add(this.appeared.object, this.vanished.object);
+  }
+
+  begin(start) {
+    dispose(this.groups.floor);
+    dispose(this.groups.robot);
+    this.shown = {};
+    this.resolution = start.resolution;
+    this.floor = new Floor(start.floor);
+    this.groups.floor.add(this.floor.object);
+    this.reference.setText(start.reference, start.resolution);
+    this.robot = new Robot(start.robot);
+    this.groups.robot.add(this.robot.object);
+  }
+
+  setVisible(name, on) { this.groups[name].visible = on; }
+  setScale(scale) { for (const v of [this.reference, this.current, this.appeared, this.vanished]) v.setScale(scale); }
+
+  restyle() {
+    this.floor?.paint();
+    this.reference.colours(themed('reference'), themed('reference'));
+    this.current.colours(themed('map-low'), themed('map-high'));
+  }
+
+  handles() {
+    return ['objects', 'regions'].filter((name) => this.groups[name].visible)
+      .flatMap((name) => this.groups[name].children.filter((child) => child.userData.what));
+  }
+
+  update(state) {
+    if (!this.robot) return;
+    if (state.pose) this.robot.set(state.pose);
+    this.when('current', state.voxelChanges, () => this.current.set(state.voxels(), this.resolution));
+    this.when('difference', state.difference, (difference) => {
+      this.appeared.setText(difference?.appeared, this.resolution);
+      this.vanished.setText(difference?.vanished, this.resolution);
+    });
+    this.group('views', state.views, state.views, (add) => {
+      for (const view of state.views?.list ?? []) {
+        if (view.state !== 'dropped') add(triangle(view, VIEW[view.state].colour, view.state === 'open'));
+      }
+    });
+    this.group('path', `${state.path?.t} ${state.plan?.t} ${state.step?.t}`, true, (add) => this.addPlan(state, add));
+    this.group('trail', state.trail?.length, state.trail, (add) => {
+      if (state.trail.length > 1) add(lineThrough(state.trail, 0.045, themed('trail')));
+    });
+    const chosen = state.chosen;
+    this.group('regions', `${state.regions?.t} ${chosen?.kind === 'region' && chosen.id}`, state.regions, (add) => this.addRegions(state, add));
+    this.group('objects', `${state.objects?.t} ${state.examined.length} ${chosen?.kind}${chosen?.id}`, true, (add) => this.addObjects(state, add));
+  }
+
+  when(name, key, act) {
+    if (this.shown[name] === key && name in this.shown) return;
+    this.shown[name] = key;
+    act(key);
+  }
+  group(name, key, present, fill) {
+    this.when(name, key, () => {
+      dispose(this.groups[name]);
+      if (present) fill((mark) => this.groups[name].add(mark));
+    });
+  }
+
+  addPlan(state, add) {
+    if (state.path && state.path.points.length > 1) add(ribbonThrough(state.path.points, 0.04, 0.05, themed('way'), 0.9));
+    const from = state.step && state.plan && state.step.t >= state.plan.t ? state.step.step : 0;
+    const visits = (state.plan?.steps ?? []).slice(from).filter((step) => step.action === 'goto');
+    if (visits.length) add(lineThrough(visits.map((step) => step.p), 0.05, themed('way'), 0.55));
+    visits.forEach((step, i) => add(letterAt({ letter: String(i + 1), colour: '#6b5b00' }, [step.p[0], step.p[1], 0.06], 0.022)));
+  }
+
+  addRegions(state, add) {
+    for (const region of state.regions.list) {
+      const look = REGION[region.state];
+      const chosen = state.chosen?.kind === 'region' && state.chosen.id === region.id;
+      add(cylinder(region, look.colour, chosen));
+      add(letterAt(look, [region.p[0], region.p[1], region.z[0]], chosen ? 0.046 : 0.032, [0.5, 1.25]));
+      add(handle([region.p[0], region.p[1], (region.z[0] + region.z[1]) / 2], Math.max(0.15, region.radius), { kind: 'region', id: region.id }));
+    }
+  }
+
+  addObjects(state, add) {
+    for (const examined of state.examined) for (const segment of examined.segments) add(box(segment, SEGMENT.colour));
+    for (const object of state.objects?.list ?? []) {
+      const look = objectLook(object);
+      const [x, y, z] = object.p;
+      const top = z + 0.45;
+      const chosen = state.chosen?.kind === 'object' && state.chosen.id === object.name;
+      const stem = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute([x, y, z, x, y, top], 3));
+      add(new THREE.Line(stem, new THREE.LineBasicMaterial({ color: look.colour })));
+      add(letterAt(look, [x, y, top], chosen ? 0.056 : 0.042, [0.5, 0.1]));
+      add(handle([x, y, top], 0.2, { kind: 'object', id: object.name }));
+    }
+  }
+}

@@ -1,0 +1,29 @@
+// Colours and letters: what a thing is can be told by either. Okabe and Ito's palette, which the colour-blind can tell.
+export const PALETTE = {
+  orange: '#e69f00', sky: '#56b4e9', green: '#009e73', yellow: '#f0e442', blue: '#0072b2', vermillion: '#d55e00',
+  purple: '#cc79a7', grey: '#8a8f98',
+};
+
+export const REGION = {
+  open: { letter: 'O', colour: PALETTE.orange, meaning: 'to be examined' },
+  examined: { letter: 'E', colour: PALETTE.blue, meaning: 'examined' },
+  withdrawn: { letter: 'W', colour: PALETTE.grey, meaning: 'withdrawn: looked at again and not confirmed' },
+};
+
+export const OBJECT = {
+  found: { letter: 'F', colour: PALETTE.green, meaning: 'found' },
+  missing: { letter: 'M', colour: PALETTE.vermillion, meaning: 'not found' },
+};
+
+export const SEGMENT = { letter: 'S', colour: PALETTE.purple, meaning: 'segment that the robot took for an object' };
+
+export const VIEW = {
+  open: { letter: 'V', colour: PALETTE.sky, meaning: 'still to be visited' },
+  visited: { letter: 'v', colour: PALETTE.sky, meaning: 'visited' },
+  dropped: { letter: 'd', colour: PALETTE.grey, meaning: 'dropped: seen on the way, or out of reach' },
+};
+
+export const objectLook = (object) => (object.found ? OBJECT.found : OBJECT.missing);
+
+/** A colour of the style sheet, for what the style sheet does not reach. */
+export const themed = (name) => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();

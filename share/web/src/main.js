@@ -1,0 +1,295 @@
+// The page of a run: events -> the scene, tables and pictures of one instant, which follows the run or is scrubbed.
+import { Scene, LAYERS } from './scene.js';
+import { Store } from './store.js';
+import { openSource } from './source.js';
+import { Tables } from './tables.js';
+import { Lanes } from './lanes.js';
+import { objectDetail, regionDetail } from './detail.js';
+import { make } from './dom.js';
+
+const $ = (id) => document.getElementById(id);
+const TABLES_EVERY = 200; // ms between two updates of what is no picture
+
+class App {
+  constructor() {
+    this.source = openSource();
+    this.store = new Store();
+    this.time = 0;
+    this.following = true; // the newest instant
+    this.playing = false;
+    this.live = false;
+    this.chosen = null;
+    document.body.classList.toggle('still', this.source.still);
+    this.scene = new Scene($('scene'), (what) => this.choose(what));
+    this.tables = new Tables($('tables'), this, this.source.still);
+    this.lanes = new Lanes($('lanes'));
+    this.listen();
+    this.source.start((events) => this.add(events), () => this.closed());
+  }
+
+  add(events) {
+    for (const event of events) {
+      if (event.e === 'pace') this.setPace(event);
+      else this.store.add(event);
+      if (event.e === 'start') this.begin(event);
+      if (event.e === 'end') this.ended = event.report;
+    }
+    if (this.following) this.time = this.store.end;
+    this.refresh();
+  }
+
+  begin(start) {
+    this.start = start;
+    document.title = `amiss: ${start.world}, seed ${start.seed}`;
+    $('subject').textContent = `${start.world} · seed ${start.seed} · ${start.method} search`;
+    this.scene.begin(start);
+  }
+
+  setPace(pace) {
+    this.live = pace.live;
+    this.pace = pace;
+    this.refresh();
+  }
+
+  closed() {
+    this.gone = true;
+    this.refresh();
+  }
+
+  /** Everything that there is to know of the instant that is shown. */
+  state() {
+    const { store, time } = this;
+    const trail = store.until('pose', time);
+    const thin = Math.max(1, Math.floor(trail.length / 1500));
+    const state = {
+      store, time, start: this.start, chosen: this.chosen,
+      pose: store.poseAt(time),
+      trail: trail.filter((_, i) => i % thin === 0).map((e) => e.p),
+      examined: store.until('examined', time),
+      voxelChanges: store.until('voxels', time).length,
+      voxels: () => store.voxels.at(time),
+      report: time >= store.end - 1e-6 ? this.ended : undefined,
+      ended: Boolean(this.ended),
+    };
+    for (const kind of ['regions', 'views', 'plan', 'step', 'path', 'difference', 'objects', 'progress', 'frame']) {
+      state[kind] = store.latest(kind, time);
+    }
+    state.objects ??= store.first('objects');
+    return state;
+  }
+
+  /** Once for each picture of the screen, however often it is called. */
+  refresh() {
+    if (this.waiting) return;
+    this.waiting = requestAnimationFrame((now) => {
+      this.waiting = 0;
+      this.paint(now);
+    });
+  }
+
+  paint(now) {
+    if (this.playing) this.advance(now);
+    if (!this.start) return this.paintStatus();
+    const state = this.state();
+    this.scene.update(state);
+    $('now').textContent = `${this.time.toFixed(1)} s`;
+    const scrub = $('scrub');
+    scrub.max = Math.max(0.1, this.store.end).toFixed(1);
+    scrub.value = this.time;
+    scrub.setAttribute('aria-valuetext', `${this.time.toFixed(1)} seconds`);
+    this.lanes.update(this.store, this.time);
+    this.paintCamera(state);
+    if (now - (this.tablesAt ?? -1e9) >= TABLES_EVERY || !this.playing && !this.live) {
+      this.tablesAt = now;
+      this.tables.update(state);
+      this.paintDetail(state);
+      this.paintFigures(state);
+      this.paintStatus();
+    } else {
+      clearTimeout(this.later);
+      this.later = setTimeout(() => this.refresh(), TABLES_EVERY);
+    }
+    if (this.playing) this.refresh();
+  }
+
+  advance(now) {
+    const passed = Math.min(0.1, (now - (this.playedAt ?? now)) / 1000);
+    this.playedAt = now;
+    this.time = Math.min(this.store.end, this.time + passed * Number($('rate').value));
+    if (this.time >= this.store.end) this.setPlaying(false);
+  }
+
+  paintFigures(state) {
+    const list = state.objects?.list ?? [];
+    const figures = [
+      [`${list.filter((o) => o.found).length} of ${list.length}`, 'found'],
+      [`${(state.progress?.seen_m2 ?? 0).toFixed(0)} m²`, 'seen'],
+      [String((state.regions?.list ?? []).filter((r) => r.state !== 'withdrawn').length), 'regions'],
+      [String(this.store.until('collision', this.time).length), 'touches'],
+    ];
+    const text = JSON.stringify(figures);
+    if (text === this.figures) return;
+    this.figures = text;
+    $('figures').replaceChildren(...figures.map(([value, name]) => make('span', {}, make('strong', {}, value), ' ' + name)));
+  }
+
+  paintStatus() {
+    const running = this.live && !this.ended && !this.gone;
+    let text = this.start ? 'as far as it was written' : 'waiting for the run to begin; a new place is mapped first';
+    if (running && this.start) text = this.pace.paused ? 'paused' : 'running';
+    else if (this.ended) text = `ended: ${this.ended.outcome}`;
+    else if (this.gone) text = 'the run is gone';
+    $('status').textContent = text;
+    $('status').dataset.state = running ? (this.pace.paused ? 'paused' : 'running') : 'ended';
+    $('pace').hidden = !running;
+    $('halt').textContent = this.pace?.paused ? 'Go on' : 'Pause';
+    if (running && document.activeElement !== $('speed')) {
+      const speed = String(this.pace.speed);
+      if (![...$('speed').options].some((option) => option.value === speed)) $('speed').append(make('option', { value: speed }, speed + '×'));
+      $('speed').value = speed;
+    }
+    $('newest').textContent = running ? 'Live' : 'End';
+    $('newest').setAttribute('aria-label', running ? 'Follow the run' : 'To the end');
+    $('newest').setAttribute('aria-pressed', String(this.following));
+  }
+
+  async paintCamera({ frame }) {
+    if (!frame || this.loading || this.frame === frame) return;
+    this.loading = true;
+    const [colour, depth] = await Promise.all([this.source.picture(frame.colour), this.source.picture(frame.depth)]);
+    this.loading = false;
+    this.frame = frame;
+    if (colour && depth) {
+      $('camera').hidden = false;
+      $('colour').src = colour;
+      $('depth').src = depth;
+      $('colour').alt = `camera at ${frame.t.toFixed(1)} s`;
+      $('depth').alt = `depth at ${frame.t.toFixed(1)} s`;
+    }
+    this.refresh(); // there may be a newer one
+  }
+
+  paintDetail(state) {
+    const list = { object: state.objects, region: state.regions }[this.chosen?.kind]?.list ?? [];
+    const thing = list.find((one) => (one.name ?? one.id) === this.chosen.id);
+    const key = thing ? JSON.stringify([thing, state.ended]) : '';
+    if (key === this.detailed) return;
+    this.detailed = key;
+    $('detail').hidden = !thing;
+    if (!thing) return;
+    const parts = this.chosen.kind === 'object' ? objectDetail(thing, state, this.source) : regionDetail(thing, state, this.source);
+    const close = make('button', { type: 'button', class: 'close', 'aria-label': 'Close', onclick: () => this.choose(null) }, '×');
+    $('detail').replaceChildren(close, ...parts);
+  }
+
+  choose(what) {
+    this.chosen = what ?? null;
+    this.detailed = undefined;
+    this.tablesAt = undefined;
+    if (what) {
+      const state = this.state();
+      const list = (what.kind === 'object' ? state.objects : state.regions)?.list ?? [];
+      const thing = list.find((one) => (one.name ?? one.id) === what.id);
+      if (thing && !this.scene.following) this.scene.goTo([thing.p[0], thing.p[1], 0.1]);
+    }
+    this.refresh();
+  }
+
+  goTo(p) { this.scene.goTo(p); }
+  text(name) { return this.source.text(name); }
+
+  seek(time) {
+    this.following = false;
+    this.setPlaying(false);
+    this.time = Math.min(this.store.end, Math.max(0, time));
+    this.refresh();
+  }
+
+  follow() {
+    this.setPlaying(false);
+    this.following = true;
+    this.time = this.store.end;
+    this.refresh();
+  }
+
+  setPlaying(playing) {
+    this.playing = playing;
+    this.playedAt = undefined;
+    if (playing) {
+      if (this.time >= this.store.end) this.time = 0;
+      this.following = false;
+    }
+    $('play').textContent = playing ? '❚❚' : '▶';
+    $('play').setAttribute('aria-label', playing ? 'Halt' : 'Play');
+    this.refresh();
+  }
+
+  look(from) {
+    if (from === 'robot') this.scene.following = !this.scene.following;
+    else this.scene.following = false;
+    document.querySelector('[data-look=robot]').setAttribute('aria-pressed', String(this.scene.following));
+    if (from === 'robot') {
+      if (this.scene.following) this.scene.goTo(this.state().pose?.p.slice(0, 2) ?? [0, 0]);
+    } else {
+      this.scene.look(from);
+    }
+    this.refresh();
+  }
+
+  listen() {
+    $('layers').open = innerWidth > 820;
+    for (const [name, title, colour, on] of LAYERS) {
+      const box = make('input', { type: 'checkbox', checked: on, onchange: () => this.show(name, box.checked) });
+      const sign = make('i');
+      sign.style.background = colour;
+      $('layers').append(make('label', {}, box, sign, title));
+    }
+    for (const button of document.querySelectorAll('[data-look]')) button.onclick = () => this.look(button.dataset.look);
+    $('play').onclick = () => this.setPlaying(!this.playing);
+    $('begin').onclick = () => this.seek(0);
+    $('newest').onclick = () => this.follow();
+    $('scrub').oninput = (event) => this.seek(Number(event.target.value));
+    $('halt').onclick = () => this.source.send({ pause: !this.pace?.paused });
+    $('step').onclick = () => {
+      this.follow();
+      this.source.send({ step: true });
+    };
+    $('speed').onchange = (event) => this.source.send({ speed: Number(event.target.value) });
+    $('theme').onclick = () => this.setTheme(document.documentElement.dataset.theme);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.scene.restyle());
+    addEventListener('resize', () => this.refresh());
+    addEventListener('keydown', (event) => this.key(event));
+  }
+
+  setTheme(before) {
+    const dark = before ? before === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+    document.documentElement.dataset.theme = dark ? 'light' : 'dark';
+    this.scene.restyle();
+  }
+
+  show(name, on) {
+    this.scene.layers.setVisible(name, on);
+    this.scene.draw();
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+    const far = event.shiftKey ? 10 : 1;
+    const keys = {
+      ' ': () => event.target.tagName !== 'BUTTON' && this.setPlaying(!this.playing),
+      ArrowLeft: () => this.seek(this.time - far),
+      ArrowRight: () => this.seek(this.time + far),
+      Home: () => this.seek(0),
+      End: () => this.follow(),
+      Escape: () => this.choose(null),
+      0: () => this.look('fit'),
+      t: () => this.look('top'),
+      f: () => this.look('robot'),
+    };
+    const act = keys[event.key];
+    if (!act) return;
+    if (act() !== false) event.preventDefault();
+  }
+}
+
+window.amiss = new App();

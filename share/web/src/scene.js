@@ -1,0 +1,131 @@
+// The scene: camera, light, layers, picking. Draws only when something has changed.
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { LAYERS, Layers } from './layers.js';
+import { themed } from './look.js';
+
+const FIELD = 45; // degrees
+const CLICK = 5; // pixels that a click may slip
+
+export class Scene {
+  constructor(canvas, onPick) {
+    this.canvas = canvas;
+    this.onPick = onPick;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.world = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(FIELD, 1, 0.1, 200);
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.set(-6, -8, 9);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.maxPolarAngle = 0.49 * Math.PI;
+    this.controls.minDistance = 0.6;
+    this.controls.maxDistance = 60;
+    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('start', () => canvas.focus({ preventScroll: true }));
+    const sun = new THREE.DirectionalLight(0xffffff, 2.2);
+    sun.position.set(-3, -5, 8);
+    this.world.add(new THREE.HemisphereLight(0xffffff, 0x8a8f98, 1.6), sun);
+    this.layers = new Layers(this.world);
+    this.following = false;
+    this.listen();
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.restyle();
+    this.resize();
+  }
+
+  listen() {
+    let down = null;
+    this.canvas.addEventListener('pointerdown', (event) => (down = [event.clientX, event.clientY]));
+    this.canvas.addEventListener('pointerup', (event) => {
+      if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > CLICK) return;
+      const what = this.at(event);
+      this.onPick(what);
+    });
+    this.canvas.addEventListener('pointermove', (event) => {
+      if (event.buttons === 0) this.canvas.style.cursor = this.at(event) ? 'pointer' : 'grab';
+    });
+  }
+
+  /** What is under the pointer, the nearest. */
+  at(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const pointer = new THREE.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(pointer, this.camera);
+    return ray.intersectObjects(this.layers.handles(), false)[0]?.object.userData.what;
+  }
+
+  /** Where a place of the map is on the page [pixels]; for tests and for the keyboard. */
+  onPage(p) {
+    const v = new THREE.Vector3(...p).project(this.camera);
+    const box = this.canvas.getBoundingClientRect();
+    return [box.left + ((v.x + 1) / 2) * box.width, box.top + ((1 - v.y) / 2) * box.height];
+  }
+
+  begin(start) {
+    this.layers.begin(start);
+    this.resize();
+    this.look('fit');
+  }
+
+  look(from) {
+    const [west, south, east, north] = this.layers.floor?.bounds() ?? [-3, -3, 3, 3];
+    const middle = new THREE.Vector3((west + east) / 2, (south + north) / 2, 0);
+    const half = Math.tan((FIELD / 2) * (Math.PI / 180));
+    const slant = from === 'top' ? 1 : 0.86;
+    const distance = Math.max((north - south) * slant, (east - west) / this.camera.aspect) / 2 / half + (from === 'top' ? 1.6 : 2.2);
+    this.controls.target.copy(middle);
+    this.camera.position.copy(middle).add(from === 'top' ? new THREE.Vector3(0, -0.001, distance) : new THREE.Vector3(0, -0.56 * distance, 0.83 * distance));
+    this.controls.update();
+    this.draw();
+  }
+
+  goTo([x, y, z]) {
+    const target = new THREE.Vector3(x, y, z ?? 0);
+    const away = this.camera.position.clone().sub(this.controls.target);
+    away.setLength(Math.min(away.length(), 4.5));
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).add(away);
+    this.controls.update();
+    this.draw();
+  }
+
+  update(state) {
+    if (this.following && state.pose) {
+      const [x, y] = state.pose.p;
+      const move = new THREE.Vector3(x, y, 0.4).sub(this.controls.target);
+      this.controls.target.add(move);
+      this.camera.position.add(move);
+      this.controls.update();
+    }
+    this.layers.update(state);
+    this.draw();
+  }
+
+  restyle() {
+    this.world.background = new THREE.Color(themed('sky'));
+    this.layers.restyle();
+    this.draw();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.layers.setScale((height * this.renderer.getPixelRatio()) / (2 * Math.tan((FIELD / 2) * (Math.PI / 180))));
+    this.draw();
+  }
+
+  draw() {
+    if (this.waiting) return;
+    this.waiting = requestAnimationFrame(() => {
+      this.waiting = 0;
+      this.renderer.render(this.world, this.camera);
+    });
+  }
+}
+
+export { LAYERS };

@@ -1,0 +1,170 @@
+// The tables: everything that the scene shows, in words and numbers, at the instant that is shown.
+import { badge, make, metres, place, seconds } from './dom.js';
+import { OBJECT, REGION, SEGMENT, VIEW, objectLook } from './look.js';
+import { faults, finds } from './lanes.js';
+import { plots } from './plots.js';
+
+const degrees = (radians) => `${((radians * 180) / Math.PI).toFixed(0)}°`;
+
+function table(columns, rows, empty) {
+  if (rows.length === 0) return make('p', { class: 'empty' }, empty);
+  return make('table', {},
+    make('thead', {}, make('tr', {}, ...columns.map((name) => make('th', { scope: 'col' }, name)))),
+    make('tbody', {}, ...rows));
+}
+
+function row(cells, { act, chosen } = {}) {
+  const [first, ...rest] = cells;
+  const head = act ? make('button', { type: 'button', onclick: act }, first) : first;
+  return make('tr', { 'aria-selected': chosen ? 'true' : undefined }, make('th', { scope: 'row' }, head), ...rest.map((cell) => make('td', {}, cell)));
+}
+
+const signed = (look, text) => {
+  const cell = make('span', { class: 'signed' });
+  cell.append(badge(look), ' ', text);
+  return cell;
+};
+
+function objects(state, app) {
+  const rows = (state.objects?.list ?? []).map((o) => row(
+    [signed(objectLook(o), o.name), objectLook(o).meaning, seconds(o.found_at), metres(o.error, 3), place(o.p)],
+    { act: () => app.choose({ kind: 'object', id: o.name }), chosen: state.chosen?.id === o.name }));
+  return table(['object', 'verdict', 'after', 'error', 'x, y [m]'], rows, 'No object was placed.');
+}
+
+function segments(state, app) {
+  const rows = state.examined.flatMap((e) => e.segments.map((s) => row(
+    [signed(SEGMENT, e.region ? `of region ${e.region}` : 'of a frame'), s.size.map((v) => (100 * v).toFixed(0)).join(' × '), String(s.points), seconds(e.t), place(s.p)],
+    { act: () => app.goTo(s.p) })));
+  return table(['segment', 'size [cm]', 'points', 'at', 'x, y [m]'], rows, 'Nothing was segmented yet.');
+}
+
+function regions(state, app) {
+  const rows = (state.regions?.list ?? []).map((r) => row(
+    [signed(REGION[r.state], `region ${r.id}`), r.state, String(r.voxels), metres(r.radius), place(r.p)],
+    { act: () => app.choose({ kind: 'region', id: r.id }), chosen: state.chosen?.kind === 'region' && state.chosen.id === r.id }));
+  return table(['region', 'state', 'voxels', 'radius', 'x, y [m]'], rows, 'The map does not differ from the reference.');
+}
+
+function plan(state, app) {
+  const from = state.step && state.plan && state.step.t >= state.plan.t ? state.step.step : 0;
+  const steps = (state.plan?.steps ?? []).map((s, i) => row(
+    [`${i + 1}. ${s.action} ${s.of === 'view' ? 'view triangle' : 'region'} ${s.id}`, i < from ? 'done' : i === from ? 'now' : '', place(s.p), degrees(s.p[2])],
+    { act: () => app.goTo([s.p[0], s.p[1], 0]), chosen: i === from }));
+  const views = (state.views?.list ?? []).map((v) => row(
+    [signed(VIEW[v.state], `view ${v.id}`), v.state, place(v.p), degrees(v.p[2])], { act: () => app.goTo([v.p[0], v.p[1], 0]) }));
+  return make('div', {}, make('h3', {}, state.plan ? `plan ${state.plan.number}, made at ${seconds(state.plan.t)}` : 'plan'),
+    table(['step', '', 'x, y [m]', 'heading'], steps, 'No plan yet.'),
+    make('h3', {}, 'view triangles'), table(['view', 'state', 'x, y [m]', 'heading'], views, 'None yet.'));
+}
+
+function happened(store, time) {
+  const list = [
+    ...store.until('plan', time).map((e) => ({ t: e.t, text: `plan ${e.number}: ${e.steps.filter((s) => s.action === 'goto').length} places` })),
+    ...(store.latest('regions', time)?.list ?? []).map((r) => ({ t: r.first_seen, text: `region ${r.id} detected`, look: REGION.open })),
+    ...store.until('examined', time).map((e) => ({ t: e.t, text: `${e.region ? `region ${e.region}` : 'frame'} examined: ${e.segments.length} segments`, look: SEGMENT })),
+    ...finds(store).filter((o) => o.found_at <= time).map((o) => ({ t: o.found_at, text: `${o.name} found`, look: OBJECT.found })),
+    ...faults(store).filter((e) => e.t <= time).map((e) => ({ ...e, look: { letter: '!', colour: '#d55e00', meaning: 'fault' } })),
+  ];
+  return list.sort((a, b) => b.t - a.t);
+}
+
+function events(state, app) {
+  const rows = happened(state.store, state.time).slice(0, 200)
+    .map((e) => row([seconds(e.t), e.look ? signed(e.look, e.text) : e.text], { act: () => app.seek(e.t) }));
+  return table(['at', 'what'], rows, 'Nothing yet.');
+}
+
+function figures(state) {
+  const { pose, progress, report } = state;
+  const list = [
+    ['simulated time', seconds(state.time)],
+    ['robot believes to be at', pose ? `${place(pose.p)} m, ${degrees(pose.p[2])}` : '–'],
+    ['and is off by', pose ? metres(Math.hypot(pose.p[0] - pose.true[0], pose.p[1] - pose.true[1]), 3) : '–'],
+    ['head pan, tilt', pose ? `${degrees(pose.head[0])}, ${degrees(pose.head[1])}` : '–'],
+    ['floor seen', progress ? `${progress.seen_m2.toFixed(1)} m²` : '–'],
+    ['voxels that appeared, vanished', state.difference ? `${voxels(state.difference.appeared)}, ${voxels(state.difference.vanished)}` : '–'],
+    ['touches', String(state.store.until('collision', state.time).length)],
+  ];
+  if (report) {
+    list.push(['outcome', report.outcome], ['found', `${report.objects_found} of ${report.objects_placed}`],
+      ['segmentations', String(report.segmentation_actions)], ['regions', `${report.regions.detected} (${report.regions.false} false)`],
+      ['driven', metres(report.distance_m, 1)], ['localization (RMSE)', metres(report.localization.rmse_m, 3)],
+      ['times real time', report.time.real_time_factor.toFixed(1)], ['digest', report.digest.slice(0, 16) + '…']);
+  }
+  if (state.start) list.push(['world, seed, method', `${state.start.world}, ${state.start.seed}, ${state.start.method}`], ['amiss', state.start.version]);
+  return make('div', {}, make('dl', {}, ...list.flatMap(([term, value]) => [make('dt', {}, term), make('dd', {}, value)])), ...plots(state.store));
+}
+
+const voxels = (base64) => Math.floor((base64.length * 3) / 4 / 6);
+
+/** Name, title, what it holds, and what it depends on. */
+const TABS = [
+  ['objects', 'Objects', objects, (s) => [s.objects?.t, s.chosen?.id]],
+  ['regions', 'Regions', regions, (s) => [s.regions?.t, s.chosen?.id]],
+  ['segments', 'Segments', segments, (s) => [s.examined.length]],
+  ['plan', 'Plan', plan, (s) => [s.plan?.t, s.step?.t, s.views?.t]],
+  ['events', 'Events', events, (s) => [Math.floor(s.time), s.store.count]],
+  ['run', 'Run', figures, (s) => [s.time.toFixed(1), s.ended]],
+];
+
+export class Tables {
+  constructor(host, app, still) {
+    this.app = app;
+    this.list = host.querySelector('[role=tablist]');
+    this.panels = new Map();
+    this.shown = {};
+    for (const [name, title] of [...TABS, ['parameters', 'Parameters']]) {
+      const tab = make('button', { type: 'button', role: 'tab', id: 'tab-' + name, 'aria-controls': name, onclick: () => this.open(name), onkeydown: (e) => this.walk(e) }, title);
+      const panel = make('div', { role: 'tabpanel', id: name, 'aria-labelledby': 'tab-' + name, tabindex: '0' });
+      if (still) panel.dataset.title = title;
+      this.list.append(tab);
+      host.append(panel);
+      this.panels.set(name, { tab, panel });
+    }
+    this.all = still; // a report shows them all, one below the other
+    this.open('objects');
+  }
+
+  open(name) {
+    this.current = name;
+    for (const [other, { tab, panel }] of this.panels) {
+      tab.setAttribute('aria-selected', String(other === name));
+      tab.tabIndex = other === name ? 0 : -1;
+      panel.hidden = !this.all && other !== name;
+    }
+    if (this.state) this.update(this.state);
+    if (name === 'parameters' || this.all) this.loadParameters();
+  }
+
+  walk(event) {
+    const names = [...this.panels.keys()];
+    const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!by) return;
+    event.stopPropagation();
+    this.open(names[(names.indexOf(this.current) + by + names.length) % names.length]);
+    this.panels.get(this.current).tab.focus();
+  }
+
+  async loadParameters() {
+    const { panel } = this.panels.get('parameters');
+    if (panel.firstChild) return;
+    const text = make('pre', {}, 'loading');
+    panel.append(text, make('h3', {}, 'Software of others'), make('pre', {}, (await this.app.text('licences.txt')) ?? ''));
+    text.textContent = (await this.app.text('params.yaml')) ?? 'The parameters cannot be read.';
+  }
+
+  update(state) {
+    this.state = state;
+    for (const [name, , fill, depends] of TABS) {
+      if (!this.all && name !== this.current) continue;
+      const key = JSON.stringify(depends(state));
+      if (this.shown[name] === key) continue;
+      this.shown[name] = key;
+      const { panel } = this.panels.get(name);
+      const focused = panel.contains(document.activeElement) ? [...panel.querySelectorAll('button')].indexOf(document.activeElement) : -1;
+      panel.replaceChildren(fill(state, this.app));
+      if (focused >= 0) panel.querySelectorAll('button')[focused]?.focus({ preventScroll: true });
+    }
+  }
+}
