@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   add_diff_command(app, exit_status);
   add_plan_command(app, exit_status);
   add_scenario_command(app, exit_status);
+  add_view_command(app, exit_status);
   add_worlds_command(app, exit_status);
   add_objects_command(app, exit_status);
   try {

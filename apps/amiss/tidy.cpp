@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "core/result.hpp"
+#include "tidy_page.hpp"
 #include "tidy_run.hpp"
 
 namespace amiss::app {
@@ -47,6 +48,7 @@ void add_tidy_command(CLI::App& app, int& exit_status) {
       ->expected(3)
       ->check(CLI::Range(-1e4, 1e4));
   tidy->add_option("--threads", a->options.threads, "1 or 2; the result is the same")->check(CLI::Range(1, 2));
+  add_view_options(*tidy, a->options.view, true);
   tidy->add_flag("--json", a->json, "print report.json and nothing else on standard output");
   tidy->add_flag("--quiet", a->options.quiet, "no progress, no table");
   tidy->add_flag("--print-params", a->print_params, "print all parameters with ranges and meanings, and end");
@@ -67,6 +69,7 @@ void add_tidy_command(CLI::App& app, int& exit_status) {
       std::cout << report::to_table(outcome.report) << "run folder: " << outcome.folder << "\n";
     }
     std::cout.flush();
+    outcome.page->linger();
   });
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "interrupt.hpp"
+#include "page/picture.hpp"
 #include "report/floor_plan.hpp"
 
 namespace amiss::app {
@@ -24,25 +25,6 @@ std::pair<double, double> mean_and_max(const std::vector<double>& values) {
   if (values.empty()) return {0.0, 0.0};
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);
   return {sum / static_cast<double>(values.size()), *std::max_element(values.begin(), values.end())};
-}
-
-/// The frame with the segments' outlines in it.
-std::vector<Rgb> outlined(const RgbdFrame& frame, const std::vector<segment::Segment>& segments) {
-  constexpr Rgb kOutline{255, 60, 180};
-  const int width = frame.intrinsics.width, height = frame.intrinsics.height;
-  std::vector<Rgb> picture = frame.colour;
-  for (const segment::Segment& s : segments) {
-    std::vector<bool> inside(picture.size(), false);
-    for (const std::uint32_t pixel : s.pixels) inside[pixel] = true;
-    for (const std::uint32_t pixel : s.pixels) {
-      const int u = static_cast<int>(pixel) % width, v = static_cast<int>(pixel) / width;
-      const bool border = u == 0 || v == 0 || u == width - 1 || v == height - 1 || !inside[pixel - 1] ||
-                          !inside[pixel + 1] || !inside[pixel - static_cast<std::uint32_t>(width)] ||
-                          !inside[pixel + static_cast<std::uint32_t>(width)];
-      if (border) picture[pixel] = kOutline;
-    }
-  }
-  return picture;
 }
 
 }  // namespace
@@ -109,7 +91,7 @@ void TidyObserver::on_examined(const mission::ExaminationEvent& event) {
 void TidyObserver::save_picture(const mission::ExaminationEvent& event, const std::string& object) const {
   const RgbdFrame& frame = *event.frame;
   folder_.save("objects/" + object + ".png",
-               report::to_png(outlined(frame, *event.segments), frame.intrinsics.width, frame.intrinsics.height));
+               report::to_png(page::outlined(frame, *event.segments), frame.intrinsics.width, frame.intrinsics.height));
 }
 
 void TidyObserver::fill(report::TidyReport& report, const mission::SearchReport& result,

@@ -20,6 +20,7 @@
 #include "resources.hpp"
 #include "start_pose.hpp"
 #include "tidy_observer.hpp"
+#include "tidy_page.hpp"
 #include "world/catalogue.hpp"
 
 namespace amiss::app {
@@ -142,12 +143,17 @@ std::unique_ptr<sim::Simulator> make_simulator(const TidyOptions& options, const
   return simulator;
 }
 
+/// z = 0 of the robot's map lies a little above the floor.
+Transform<World, Map> lifted(const Pose2<World, Map>& T_world_map, const Settings& settings) {
+  Transform<World, Map> lifted = T_world_map.lift();
+  lifted.T.translate(Eigen::Vector3d(0.0, 0.0, settings.mission.perception.floor_clearance_m));
+  return lifted;
+}
+
 score::Referee make_referee(const TidyOptions& options, const Settings& settings, const Scene& scene,
                             const std::vector<sim::ScatteredObject>& scattered, const world::Truth& truth,
                             const Pose2<World, Map>& T_world_map) {
-  Transform<World, Map> lifted = T_world_map.lift();
-  lifted.T.translate(Eigen::Vector3d(0.0, 0.0, settings.mission.perception.floor_clearance_m));
-  score::Referee referee(placed_objects(scene, scattered, truth), lifted, settings.referee);
+  score::Referee referee(placed_objects(scene, scattered, truth), lifted(T_world_map, settings), settings.referee);
   if (options.until_found && referee.verdicts().empty()) {
     throw ArgumentError("--until found: there is nothing to be found; place objects or use --until explored");
   }
@@ -157,6 +163,7 @@ score::Referee make_referee(const TidyOptions& options, const Settings& settings
 void finish(const report::RunFolder& folder, const TidyOptions& options, TidyOutcome& outcome,
             std::string_view artefacts) {
   outcome.json = report::to_json(outcome.report, artefacts);
+  outcome.page->end(outcome.json);
   outcome.exit_status = exit_status_of(outcome.report.outcome, options);
   if (outcome.report.outcome == "interrupted") {
     folder.interrupt(outcome.json);
@@ -172,6 +179,7 @@ struct Stage {
   sim::Simulator& simulator;
   score::Referee& referee;
   const report::RunFolder& folder;
+  TidyPage& page;
 };
 
 std::unique_ptr<mission::SearchMethod> make_search(const TidyOptions& options, const Settings& settings,
@@ -188,15 +196,22 @@ std::unique_ptr<mission::SearchMethod> make_search(const TidyOptions& options, c
 /// The search itself, and the run folder's contents. Returns the artefacts that the digest covers.
 std::string search(const TidyOptions& options, const Settings& settings, const Stage& stage, ProgressLine& progress,
                    report::TidyReport& report) {
-  const auto& [scene, prepared, simulator, referee, folder] = stage;
+  const auto& [scene, prepared, simulator, referee, folder, page] = stage;
   TidyObserver observer(simulator, referee, folder, progress);
-  const mission::Sinks sinks = observer.sinks(options.until_found);
+  mission::Sinks sinks = observer.sinks(options.until_found);
+  page.attach(sinks);
   const std::filesystem::path domain_file = scene.resources.pddl / "search.pddl";
   const plan::Domain domain = plan::load_domain(domain_file);
   folder.save("plans/domain.pddl", load_bytes(domain_file));
   knowledge::KnowledgeBase knowledge(folder.path() / "knowledge.sqlite", settings.mission.knowledge);
   const auto search = make_search(options, settings, stage, domain, knowledge, sinks);
+  page.begin({report.version, report.world, report.method, report.seed, &prepared.reference.floor,
+              &prepared.reference.mapped, &scene.model, settings.referee.max_error_m, settings.referee.min_cover,
+              settings.referee.min_purity},
+             {simulator, referee, lifted(prepared.T_world_map, settings), knowledge},
+             [&]() -> const mapping::VoxelMap& { return search->voxels(); });
   const mission::SearchReport result = search->run();
+  page.settle();
   knowledge.close();
   progress.clear();
 
@@ -227,6 +242,7 @@ TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
   settings.mission.perception.threaded = options.threads > 1;
 
   TidyOutcome outcome;
+  outcome.page = std::make_shared<TidyPage>(folder, options.view, options.threads > 1);
   outcome.folder = folder.path().string();
   outcome.report.version = AMISS_VERSION;
   outcome.report.world = name;
@@ -243,7 +259,7 @@ TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
   const auto simulator = make_simulator(options, settings, scene, catalogue, scattered, worker);
   score::Referee referee = make_referee(options, settings, scene, scattered, simulator->truth(), prepared->T_world_map);
   const std::string artefacts =
-      search(options, settings, {scene, *prepared, *simulator, referee, folder}, progress, outcome.report);
+      search(options, settings, {scene, *prepared, *simulator, referee, folder, *outcome.page}, progress, outcome.report);
   outcome.report.wall_s = watch.seconds_s();
   finish(folder, options, outcome, artefacts);
   return outcome;

@@ -1,12 +1,14 @@
 // One tidy-up run from worlds to run folder: everything that `amiss tidy` does once its arguments are read.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "report/tidy_report.hpp"
 #include "settings.hpp"
+#include "view_options.hpp"
 
 namespace amiss::app {
 
@@ -26,13 +28,17 @@ struct TidyOptions {
   std::vector<double> start;  // x and y in m, heading in degrees, of the world; empty: as the world says
   int threads = 2;
   bool quiet = false;
+  ViewOptions view;
 };
+
+class TidyPage;
 
 struct TidyOutcome {
   report::TidyReport report;
   std::string json;
   std::string folder;
   int exit_status = 0;
+  std::shared_ptr<TidyPage> page;  // may be served on
 };
 
 [[nodiscard]] TidyOutcome run_tidy(const TidyOptions& options, Settings settings);

@@ -52,6 +52,7 @@ class Program {
     ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT);
     return info.si_pid == 0;
   }
+  [[nodiscard]] std::string said() const { return output_.read("err"); }  // on standard error, so far
   Ended wait() {
     int status = 0;
     ::waitpid(child_, &status, 0);

@@ -1,0 +1,100 @@
+// Pages of a run that goes on and of one that is over, asked as a browser asks, and by clients that are rude.
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "page/http_client.hpp"
+#include "program.hpp"
+
+namespace amiss {
+namespace {
+
+using nlohmann::json;
+using test::Ended;
+using test::Program;
+
+const std::vector<std::string> kRun{"tidy", "--world", "lab_30",   "--objects",    "3",  "--seed",
+                                    "7",    "--until", "explored", "--time-limit", "20", "--json"};
+
+std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// The port that the program told, or 0 when it ended before.
+int port_of(const Program& program) {
+  const std::string before = "watch at http://127.0.0.1:";
+  for (int i = 0; i < 6000 && program.runs(); ++i) {
+    const std::string said = program.said();
+    const std::size_t at = said.find(before);
+    if (at != std::string::npos && said.find('\n', at) != std::string::npos)
+      return std::stoi(said.substr(at + before.size()));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return 0;
+}
+
+void be_rude(int port) {
+  std::vector<test::Client> many;
+  for (int i = 0; i < 200; ++i) {
+    many.emplace_back(port);
+    many.back().send(std::string(1000, static_cast<char>(i)));
+  }
+  EXPECT_EQ(test::get(port, "/../../etc/passwd").status, 404);
+  EXPECT_EQ(test::SocketClient(port, "Origin: http://evil.example\r\n").status(), 403);
+}
+
+TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
+  const test::TemporaryFolder folder;
+  const Ended alone = test::run(with(kRun, {"--out", "alone"}), folder.path());
+  ASSERT_LE(alone.status, 1) << alone.err;
+
+  Program program(with(kRun, {"--out", "watched", "--view", "--port", "0"}), folder.path());
+  const int port = port_of(program);
+  ASSERT_GT(port, 0);
+  std::string seen;
+  {
+    test::SocketClient page(port);
+    const test::SocketClient slow(port);  // never reads
+    be_rude(port);
+    page.send(R"({"pause":true})");
+    page.send(R"({"step":true})");
+    page.send(R"({"pause":false})");
+    seen = page.read_until("\"e\":\"end\"");
+  }
+  const Ended watched = program.wait();
+  EXPECT_EQ(watched.status, alone.status) << watched.err;
+  const json a = json::parse(alone.out), b = json::parse(watched.out);
+  EXPECT_EQ(a["digest"], b["digest"]);
+  for (const char* kind : {"start", "pose", "frame", "voxels", "regions", "plan"}) {
+    EXPECT_NE(seen.find(std::string("{\"e\":\"") + kind), std::string::npos) << kind;
+  }
+  EXPECT_EQ(folder.read("alone/camera.bin"), folder.read("watched/camera.bin"));
+  const auto without_end = [](const std::string& lines) { return lines.substr(0, lines.rfind("{\"e\":\"end\"")); };
+  EXPECT_EQ(without_end(folder.read("alone/timeline.jsonl")), without_end(folder.read("watched/timeline.jsonl")));
+  const std::string report = folder.read("alone/report.html");
+  EXPECT_NE(report.find("id=\"run\""), std::string::npos);
+  EXPECT_LT(report.size(), 3'000'000U);
+
+  Program view({"view", "alone", "--port", "0"}, folder.path());
+  const int again = port_of(view);
+  ASSERT_GT(again, 0);
+  EXPECT_NE(test::SocketClient(again).read_until("\"e\":\"end\"").find("\"live\":false"), std::string::npos);
+  EXPECT_EQ(test::get(again, "/timeline.jsonl").body, folder.read("alone/timeline.jsonl"));
+  EXPECT_EQ(test::get(again, "/knowledge.sqlite").status, 404);
+  view.send(SIGINT);
+  EXPECT_EQ(view.wait().status, 0);
+}
+
+TEST(Watch, RefusesWhatItCannotShow) {
+  const test::TemporaryFolder folder;
+  const Ended missing = test::run({"view", "nowhere"}, folder.path());
+  EXPECT_EQ(missing.status, 3);
+  EXPECT_NE(missing.err.find("timeline.jsonl: is not there"), std::string::npos);
+  folder.write("timeline.jsonl", "{\"e\":\"start\",\"t\":0,\"schema\":1}\n");
+  const Ended open = test::run({"view", ".", "--address", "0.0.0.0"}, folder.path());
+  EXPECT_EQ(open.status, 2);
+  EXPECT_NE(open.err.find("--token"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace amiss
