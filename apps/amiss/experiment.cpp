@@ -28,7 +28,7 @@ void add_plan(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& ex
 
 void add_run(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status) {
   ExperimentOptions& o = a->options;
-  CLI::App* run = experiment.add_subcommand("run", "do what has no result yet, then merge and plot");
+  CLI::App* run = experiment.add_subcommand("run", "do what has no result yet");
   run->add_option("SPEC", a->spec, "YAML file of the experiment")->required();
   run->add_option("--out", o.out, "its folder; one that was begun is taken up again [runs/SPEC]");
   run->add_option("-j,--jobs", o.jobs, "trials at a time")->check(CLI::Range(1, 1024))->capture_default_str();
