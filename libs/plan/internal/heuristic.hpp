@@ -49,6 +49,7 @@ class RelaxedPlanHeuristic {
   void index_conditions();
   [[nodiscard]] std::span<const int> conditions(int relaxed) const;
   [[nodiscard]] std::span<const int> adds(int relaxed) const;
+  [[nodiscard]] std::span<const int> needed_by(int fact) const;
   void reset(const State& state);
   void reach(int fact, SearchCost cost, int supporter);
   void fire(int relaxed);
@@ -71,6 +72,7 @@ class RelaxedPlanHeuristic {
   std::vector<int> supporter_;  // by fact: index into relaxed_, -1 where it holds in the state
   std::vector<Progress> progress_;
   FactQueue open_;
+  std::vector<int> complete_;  // indices into relaxed_, whose last missing condition was just reached
   std::vector<bool> seen_;
   std::size_t& evaluations_;
 };
