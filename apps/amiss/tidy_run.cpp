@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <set>
 
@@ -229,6 +230,8 @@ std::string search(const TidyOptions& options, const Settings& settings, const S
 
 TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
   catch_interrupts();
+  // llvmpipe draws the same picture with threads of its own; they use the core that waits for a frame.
+  if (options.threads > 1) setenv("LP_NUM_THREADS", "2", 0);
   Stopwatch watch;
   const Scene scene = load_scene(options, settings);
   const world::Catalogue catalogue = world::load_catalogue({scene.resources.objects}, settings.world);
