@@ -13,6 +13,7 @@
 #include "core/result.hpp"
 #include "experiment/runner.hpp"
 #include "interrupt.hpp"
+#include "resources.hpp"
 #include "time_left.hpp"
 #include "trial_basis.hpp"
 
@@ -28,8 +29,6 @@ std::vector<Trial> trials_of(const fs::path& spec_file) {
   const experiment::Spec spec = experiment::load_spec(spec_file);
   return experiment::trials_of(spec, trial_keys(spec));
 }
-
-std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
 /// Held by the one `run` of a folder; gone with its process, however that ends.
 class FolderLock {

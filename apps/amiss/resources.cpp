@@ -13,8 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Resources in_folder(const fs::path& share, const fs::path& top) {
-  return {top / "sim_worlds", top / "robot_model" / "hsr.urdf", share / "objects", share / "pddl",
-          share / "scenarios"};
+  return {top / "sim_worlds", top / "robot_model" / "hsr.urdf", share / "objects", share / "pddl", share / "scenarios"};
 }
 
 }  // namespace
@@ -53,6 +52,8 @@ fs::path find_world(const Resources& resources, const std::string& name_or_file)
   throw ArgumentError("--world " + name_or_file + ": there is no such world" +
                       (near.empty() ? "; `amiss worlds` lists them" : "; did you mean '" + near + "'?"));
 }
+
+std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
 fs::path cache_folder() {
   const auto folder_of = [](const char* variable) -> fs::path {

@@ -17,6 +17,9 @@ struct Resources {
 [[nodiscard]] std::filesystem::path find_world(const Resources& resources, const std::string& name_or_file);
 [[nodiscard]] std::vector<std::string> world_names(const Resources& resources);
 
+/// The file of this program, for its children.
+[[nodiscard]] std::string own_program();
+
 /// Of the user: $XDG_CACHE_HOME/amiss, ~/.cache/amiss, or a folder in the temporary one.
 [[nodiscard]] std::filesystem::path cache_folder();
 

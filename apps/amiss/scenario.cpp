@@ -1,12 +1,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
 #include <iostream>
 #include <memory>
+#include <mutex>
 
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/result.hpp"
 #include "interrupt.hpp"
+#include "resources.hpp"
 #include "scenario_jobs.hpp"
 #include "scenario_run.hpp"
 
@@ -17,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds kLimit{600};  // of one run, on the clock; what takes longer hangs
+constexpr std::size_t kMostOutput = std::size_t{64} << 20U;
 
 struct Arguments {
   std::vector<std::string> files;
@@ -69,20 +75,37 @@ fs::path kept_at(const Arguments& a, const ScenarioJob& job) {
 }
 
 std::vector<std::string> words_of(const Arguments& a, const ScenarioJob& job) {
-  std::vector<std::string> words{"scenario", job.file.string(), "--child", std::to_string(job.break_index)};
+  std::vector<std::string> words{own_program(), "scenario", job.file.string(), "--child",
+                                 std::to_string(job.break_index)};
   if (!a.out.empty()) words.insert(words.end(), {"--out", kept_at(a, job).string()});
   return words;
 }
 
+/// What a run does wrong ends its child alone.
+JobResult run_in_child(const Arguments& a, const ScenarioJob& job) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto passed = [&] { return std::chrono::steady_clock::now() - began; };
+  const auto stop = [&] { return interrupted() || passed() > kLimit; };
+  JobResult result = judge_job(job, experiment::run_program(words_of(a, job), "", stop, kMostOutput));
+  result.wall_s = std::chrono::duration<double>(passed()).count();
+  return result;
+}
+
 std::vector<JobResult> run_jobs(const Arguments& a, const std::vector<ScenarioJob>& jobs) {
-  std::vector<std::vector<std::string>> words;
-  for (const ScenarioJob& job : jobs) words.push_back(words_of(a, job));
   std::vector<JobResult> results(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i) results[i].job = jobs[i];
-  run_children(words, a.parallel, kLimit, [&](std::size_t index, const ChildResult& child) {
-    results[index] = judge_job(jobs[index], child);
-    if (!a.quiet && !interrupted()) std::cout << line_of(results[index]) << std::flush;
-  });
+  std::atomic<std::size_t> next = 0;
+  std::mutex printing;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size() && !interrupted(); i = next++) {
+      results[i] = run_in_child(a, jobs[i]);
+      const std::lock_guard lock(printing);
+      if (!a.quiet && !interrupted()) std::cout << line_of(results[i]) << std::flush;
+    }
+  };
+  std::vector<std::future<void>> workers;
+  for (int i = 0; i < a.parallel; ++i) workers.push_back(std::async(std::launch::async, work));
+  for (std::future<void>& worker : workers) worker.get();
   return results;
 }
 

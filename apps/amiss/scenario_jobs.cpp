@@ -79,15 +79,14 @@ std::string run_job(const scenario::Scenario& scenario, int break_index, bool th
   return json.dump(1) + "\n";
 }
 
-JobResult judge_job(const ScenarioJob& job, const ChildResult& child) {
+JobResult judge_job(const ScenarioJob& job, const experiment::Ended& child) {
   JobResult result;
   result.job = job;
-  result.wall_s = child.wall_s;
   const auto fail = [&](int status, std::string sentence) {
     result.exit_status = status;
     result.sentences = {std::move(sentence)};
   };
-  if (child.too_slow) {
+  if (child.stopped) {
     fail(kProgramFailed, "it hung: no end after the time limit of a run");
   } else if (child.signal != 0) {
     fail(kProgramFailed, fmt::format("the program crashed (signal {})", child.signal));

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "child_process.hpp"
+#include "experiment/process.hpp"
 #include "report/junit.hpp"
 #include "scenario/scenario.hpp"
 
@@ -35,8 +35,8 @@ struct JobResult {
 /// KEEP.png; nowhere when empty.
 [[nodiscard]] std::string run_job(const scenario::Scenario& scenario, int break_index, bool threaded,
                                   const std::filesystem::path& keep);
-/// What a child's end says of its job.
-[[nodiscard]] JobResult judge_job(const ScenarioJob& job, const ChildResult& child);
+/// What a child's end says of its job; one that was stopped was too slow.
+[[nodiscard]] JobResult judge_job(const ScenarioJob& job, const experiment::Ended& child);
 
 [[nodiscard]] report::JunitCase junit_of(const JobResult& result);
 /// "ok       name   12.3 s (1.2 s)" and the sentences of what failed.

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <stdexcept>
@@ -17,8 +18,9 @@ namespace amiss::experiment {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPoll(10);
-constexpr off_t kKept = 64 * 1024;  // bytes of output
+constexpr std::chrono::seconds kGrace(3);  // from SIGTERM to SIGKILL
 
 /// A file in memory, so that neither side ever waits for the other.
 class MemoryFile {
@@ -36,9 +38,9 @@ class MemoryFile {
       throw std::runtime_error("the input of a program cannot be kept in memory");
     }
   }
-  [[nodiscard]] std::string tail() const {
+  [[nodiscard]] std::string tail(std::size_t kept) const {
     const off_t size = ::lseek(file_, 0, SEEK_END);
-    const off_t from = size > kKept ? size - kKept : 0;
+    const off_t from = std::max<off_t>(0, size - static_cast<off_t>(kept));
     std::string bytes(static_cast<std::size_t>(size - from), '\0');
     const ssize_t read = ::pread(file_, bytes.data(), bytes.size(), from);
     bytes.resize(read > 0 ? static_cast<std::size_t>(read) : 0);
@@ -65,7 +67,7 @@ class MemoryFile {
 }  // namespace
 
 Ended run_program(const std::vector<std::string>& arguments, const std::string& input,
-                  const std::function<bool()>& stop) {
+                  const std::function<bool()>& stop, std::size_t kept) {
   std::vector<std::string> words = arguments;
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -79,17 +81,20 @@ Ended run_program(const std::vector<std::string>& arguments, const std::string& 
 
   Ended ended;
   int status = 0;
+  Clock::time_point stopped_at;
   while (::waitpid(child, &status, WNOHANG) == 0) {
     if (!ended.stopped && stop()) {
       ended.stopped = true;
+      stopped_at = Clock::now();
       ::kill(child, SIGTERM);
     }
+    if (ended.stopped && Clock::now() - stopped_at > kGrace) ::kill(child, SIGKILL);
     std::this_thread::sleep_for(kPoll);
   }
   if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
   if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
-  ended.out = out.tail();
-  ended.err = err.tail();
+  ended.out = out.tail(kept);
+  ended.err = err.tail(kept);
   return ended;
 }
 

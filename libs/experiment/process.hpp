@@ -13,12 +13,12 @@ struct Ended {
   int status = 0;        // exit status
   int signal = 0;        // that ended it, else 0
   bool stopped = false;  // because `stop` asked for it
-  std::string out, err;  // the last 64 KiB of each
+  std::string out, err;  // the last bytes of each
 };
 
-/// `input`: what the child reads. `stop` is asked many times a second; the child then gets SIGTERM and is waited for.
-/// std::runtime_error when no child can be made.
+/// `input`: what the child reads. `stop` is asked many times a second; the child then gets SIGTERM, and SIGKILL when it
+/// is still there seconds later. `kept`: bytes of output. std::runtime_error when no child can be made.
 [[nodiscard]] Ended run_program(const std::vector<std::string>& arguments, const std::string& input,
-                                const std::function<bool()>& stop);
+                                const std::function<bool()>& stop, std::size_t kept = std::size_t{64} << 10U);
 
 }  // namespace amiss::experiment

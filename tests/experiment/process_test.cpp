@@ -43,5 +43,16 @@ TEST(Process, StopsWhenAsked) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
 
+TEST(Process, ThatDoesNotListenIsEnded) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Ended ended = run_program({"sh", "-c", "trap '' TERM; while :; do sleep 0.1; done"}, "", [&] {
+    return std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(500);
+  });
+  EXPECT_TRUE(ended.stopped);
+  EXPECT_EQ(ended.signal, SIGKILL);
+}
+
+TEST(Process, KeepsAsMuchAsIsAskedFor) { EXPECT_EQ(run_program({"printf", "0123456789"}, "", kGoOn, 4).out, "6789"); }
+
 }  // namespace
 }  // namespace amiss::experiment
