@@ -25,11 +25,6 @@ using experiment::Trial;
 
 namespace {
 
-std::vector<Trial> trials_of(const fs::path& spec_file) {
-  const experiment::Spec spec = experiment::load_spec(spec_file);
-  return experiment::trials_of(spec, trial_keys(spec));
-}
-
 /// Held by the one `run` of a folder; gone with its process, however that ends.
 class FolderLock {
  public:
@@ -59,7 +54,7 @@ experiment::RunHooks hooks_of(TimeLeft& left) {
 
 int plan_experiment(const fs::path& spec_file, int jobs) {
   const experiment::Spec spec = experiment::load_spec(spec_file);
-  const auto trials = experiment::trials_of(spec, trial_keys(spec));
+  const auto trials = experiment::trials_of(spec, trial_keys(spec), program_hash());
   std::cout << experiment::to_tsv(trials);
   const double wall_s = static_cast<double>(trials.size()) * spec.trial_wall_s / jobs;
   std::cerr << fmt::format("{} trials, about {} with {} at a time\n", trials.size(), duration_text(wall_s), jobs);
@@ -68,16 +63,19 @@ int plan_experiment(const fs::path& spec_file, int jobs) {
 
 int run_experiment(const fs::path& spec_file, const ExperimentOptions& options) {
   catch_interrupts();
-  const auto trials = trials_of(spec_file);
+  const experiment::Spec spec = experiment::load_spec(spec_file);
+  const auto keys = trial_keys(spec);
+  const auto trials = experiment::trials_of(spec, keys, program_hash());
   const fs::path out = options.out.empty() ? fs::path("runs") / spec_file.stem() : options.out;
   const Folder folder = Folder::begin(out, spec_file, trials);
   const FolderLock lock(folder.path());
   folder.clear_work();
+  folder.save_basis(keys);
   if (options.retry_failed) folder.forget_failures();
   const auto tell = [](const std::string& world) { std::cerr << "amiss: mapping " << world << " once\n"; };
   if (!prepare_references(folder.spec(), tell)) return interrupted() ? kInterrupted : kGoalNotMet;
   TimeLeft left(folder.spec().trial_wall_s / options.jobs);
-  if (!experiment::run_trials(folder, folder.missing(), options.jobs, own_program(), hooks_of(left))) {
+  if (!experiment::run_trials(folder, folder.missing(), options.jobs, kRunningProgram, hooks_of(left))) {
     left.clear();
     return kInterrupted;
   }
@@ -90,8 +88,9 @@ int work_on_experiment(const fs::path& path, const std::vector<std::string>& ids
   const Folder folder = Folder::open(path);
   experiment::RunHooks hooks;
   hooks.stop = interrupted;
+  folder.require_program(program_hash());
   for (const std::string& id : ids) {
-    if (!run_trial(folder, folder.trial(id), own_program(), hooks)) return kInterrupted;
+    if (!run_trial(folder, folder.trial(id), kRunningProgram, hooks)) return kInterrupted;
   }
   return kGoalMet;
 }

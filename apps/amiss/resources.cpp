@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/files.hpp"
 #include "core/params.hpp"
 #include "core/result.hpp"
 
@@ -53,7 +54,12 @@ fs::path find_world(const Resources& resources, const std::string& name_or_file)
                       (near.empty() ? "; `amiss worlds` lists them" : "; did you mean '" + near + "'?"));
 }
 
-std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
+std::string own_program() { return fs::read_symlink(kRunningProgram).string(); }
+
+std::string program_hash() {
+  constexpr std::size_t kDigits = 20;
+  return sha256(load_bytes(kRunningProgram)).substr(0, kDigits);
+}
 
 fs::path cache_folder() {
   const auto folder_of = [](const char* variable) -> fs::path {

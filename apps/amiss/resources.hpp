@@ -19,6 +19,10 @@ struct Resources {
 
 /// The file of this program, for its children.
 [[nodiscard]] std::string own_program();
+/// For children that must be the same program even when that file was replaced by a newer one since.
+inline constexpr const char* kRunningProgram = "/proc/self/exe";
+/// A hash of the executable that is running: 20 hex digits. It tells two builds apart, not two sets of shared libraries.
+[[nodiscard]] std::string program_hash();
 
 /// Of the user: $XDG_CACHE_HOME/amiss, ~/.cache/amiss, or a folder in the temporary one.
 [[nodiscard]] std::filesystem::path cache_folder();

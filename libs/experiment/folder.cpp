@@ -18,6 +18,24 @@ namespace {
 fs::path spec_of(const fs::path& path) { return path / "experiment.yaml"; }
 fs::path plan_of(const fs::path& path) { return path / "plan.tsv"; }
 
+/// A world may be named by its file.
+fs::path basis_of(const fs::path& path, const std::string& world) {
+  return path / "basis" / (fs::path(world).stem().string() + "-" + sha256(world).substr(0, 8) + ".txt");
+}
+
+/// Why these trials are not those of the folder.
+std::string why_other(const fs::path& path, const std::vector<Trial>& trials) {
+  const auto before = parse_plan(load_bytes(plan_of(path)), plan_of(path).string());
+  if (!before.empty() && !trials.empty() && before.front().program != trials.front().program) {
+    return fmt::format(
+        "holds results of another program ({}; this one is {}), for amiss changed since then, and results of two "
+        "programs are not mixed; a new folder is allowed for --out",
+        before.front().program, trials.front().program);
+  }
+  return "holds another experiment, or its world, parameters or robot changed since then; a new folder is allowed for "
+         "--out";
+}
+
 }  // namespace
 
 Folder::Folder(fs::path path, Spec spec, std::vector<Trial> trials)
@@ -32,11 +50,7 @@ Folder Folder::begin(const fs::path& path, const fs::path& spec_file, const std:
   fs::create_directories(path, error);
   if (error || !fs::is_directory(path)) throw ArgumentError(path.string() + ": cannot be made a folder");
   if (fs::exists(plan_of(path))) {
-    if (load_bytes(plan_of(path)) != plan) {
-      throw ArgumentError(path.string() +
-                          ": holds another experiment, or its world, parameters or robot changed since "
-                          "then; a new folder is allowed for --out");
-    }
+    if (load_bytes(plan_of(path)) != plan) throw ArgumentError(path.string() + ": " + why_other(path, trials));
   } else if (!fs::is_empty(path) && !fs::exists(spec_of(path))) {
     throw ArgumentError(path.string() +
                         ": holds something else; a folder that is new, empty or of this experiment is "
@@ -117,6 +131,23 @@ void Folder::clear_work() const {
       if (entry.path().extension() != ".json") fs::remove(entry);
     }
   }
+}
+
+void Folder::require_program(const std::string& program) const {
+  if (!trials_.empty() && trials_.front().program != program) {
+    throw ArgumentError(fmt::format("{}: is for another program ({}; this one is {}); results of two are not mixed",
+                                    path_.string(), trials_.front().program, program));
+  }
+}
+
+void Folder::save_basis(const std::map<std::string, std::string>& keys) const {
+  for (const auto& [world, key] : keys) save(basis_of(path_, world), key);
+}
+
+std::map<std::string, std::string> Folder::basis() const {
+  std::map<std::string, std::string> keys;
+  for (const std::string& world : spec_.worlds) keys[world] = load_bytes(basis_of(path_, world));
+  return keys;
 }
 
 void Folder::save(const fs::path& name, std::string_view bytes) const {

@@ -1,9 +1,10 @@
 // The folder of an experiment: experiment.yaml (the spec as it was), plan.tsv, trials/ID.json, times/ID.json, work/ for
-// what is under way, and what merging makes of it. A result file is there whole or not at all, so that a run may be
+// what is under way, basis/WORLD.txt (what the ids stand for), and what merging makes of it. A result file is there whole or not at all, so that a run may be
 // killed at any time; the same trial done twice writes the same bytes.
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,11 @@ class Folder {
   /// A new folder for one run of a trial, which nobody else uses.
   [[nodiscard]] std::filesystem::path work_folder(const Trial& trial) const;
   void clear_work() const;
+  /// ArgumentError when the plan was made for another program than this one.
+  void require_program(const std::string& program) const;
+  /// What the ids of the trials were made from, beside the spec: a text for each world (trials_of).
+  void save_basis(const std::map<std::string, std::string>& keys) const;
+  [[nodiscard]] std::map<std::string, std::string> basis() const;
   void save(const std::filesystem::path& name, std::string_view bytes) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/files.hpp"
 #include "core/result.hpp"
 
 namespace amiss::experiment {
@@ -17,7 +18,22 @@ Json head_of(const Trial& trial) {
           {"method", trial.method},
           {"objects", trial.objects},
           {"seed", trial.seed},
-          {"scatter_seed", trial.scatter_seed}};
+          {"scatter_seed", trial.scatter_seed},
+          {"program", trial.program}};
+}
+
+std::string dumped(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace); }
+
+/// With a hash of all that stands before it, so that a change is seen.
+std::string sealed(Json json) {
+  json["sha256"] = sha256(dumped(json));
+  return dumped(json) + "\n";
+}
+
+bool is_unbroken(Json json) {
+  const std::string hash = json.at("sha256");
+  json.erase("sha256");
+  return sha256(dumped(json)) == hash;
 }
 
 FoundObject object_of(const Json& o) {
@@ -60,14 +76,14 @@ std::string result_text(const Trial& trial, std::string_view report_json) {
   Json json = head_of(trial);
   json["status"] = "done";
   json["report"] = std::move(report);
-  return json.dump(1) + "\n";
+  return sealed(std::move(json));
 }
 
 std::string failure_text(const Trial& trial, std::string_view why) {
   Json json = head_of(trial);
   json["status"] = "failed";
   json["why"] = why;
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return sealed(std::move(json));
 }
 
 std::string times_text(std::string_view report_json) {
@@ -83,9 +99,15 @@ TrialResult parse_result(const Trial& trial, std::string_view text, const std::s
     const Json json = Json::parse(text);
     TrialResult result;
     result.trial = trial;
-    const Trial named{json.at("id"),      json.at("world"), json.at("method"),
-                      json.at("objects"), json.at("seed"),  json.at("scatter_seed")};
+    Trial named{json.at("id"),   json.at("world"),        json.at("method"), json.at("objects"),
+                json.at("seed"), json.at("scatter_seed"), trial.program};
+    if (!is_unbroken(json)) throw InputError(file + ": was changed since it was written (its sha256 disagrees)");
     if (named != trial) throw InputError(file + ": is the result of another trial");
+    const std::string program = json.at("program");
+    if (program != trial.program) {
+      throw InputError(file + ": comes from another program (" + program + ") than the plan's (" + trial.program +
+                       "); results of two programs are not mixed");
+    }
     result.failed = json.at("status") != "done";
     if (result.failed) {
       result.why = json.at("why");

@@ -43,7 +43,8 @@ struct TrialTimes {
 [[nodiscard]] std::string failure_text(const Trial& trial, std::string_view why);
 [[nodiscard]] std::string times_text(std::string_view report_json);
 
-/// InputError naming `file` when it is no result, or one of another trial.
+/// InputError naming `file` when it is no result, was changed since it was written, or is one of another trial or of
+/// another program.
 [[nodiscard]] TrialResult parse_result(const Trial& trial, std::string_view text, const std::string& file);
 [[nodiscard]] TrialTimes parse_times(std::string_view text, const std::string& file);
 

@@ -12,11 +12,12 @@ namespace amiss::experiment {
 namespace {
 
 constexpr std::size_t kIdDigits = 20;
-constexpr std::string_view kHeading = "id\tworld\tmethod\tobjects\tseed\tscatter_seed\n";
+constexpr std::string_view kHeading = "id\tworld\tmethod\tobjects\tseed\tscatter_seed\tprogram\n";
 
 }  // namespace
 
-std::vector<Trial> trials_of(const Spec& spec, const std::map<std::string, std::string>& keys) {
+std::vector<Trial> trials_of(const Spec& spec, const std::map<std::string, std::string>& keys,
+                             const std::string& program) {
   std::vector<Trial> trials;
   for (const std::string& world : spec.worlds) {
     for (const int objects : spec.objects) {
@@ -27,9 +28,10 @@ std::vector<Trial> trials_of(const Spec& spec, const std::map<std::string, std::
                       method,
                       objects,
                       spec.first_seed + static_cast<std::uint64_t>(run),
-                      spec.scatter_seed + static_cast<std::uint64_t>(objects)};
-          const std::string all = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", keys.at(world), world, method, objects,
-                                              trial.seed, trial.scatter_seed, spec.time_limit_s);
+                      spec.scatter_seed + static_cast<std::uint64_t>(objects),
+                      program};
+          const std::string all = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n", keys.at(world), world, method, objects,
+                                              trial.seed, trial.scatter_seed, spec.time_limit_s, program);
           trial.id = sha256(all).substr(0, kIdDigits);
           trials.push_back(std::move(trial));
         }
@@ -58,7 +60,8 @@ std::vector<std::string> arguments_of(const Trial& trial, const Spec& spec, cons
 std::string to_tsv(const std::vector<Trial>& trials) {
   std::string text(kHeading);
   for (const Trial& t : trials) {
-    text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", t.id, t.world, t.method, t.objects, t.seed, t.scatter_seed);
+    text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", t.id, t.world, t.method, t.objects, t.seed, t.scatter_seed,
+                        t.program);
   }
   return text;
 }
@@ -71,10 +74,10 @@ std::vector<Trial> parse_plan(std::string_view text, const std::string& file) {
     std::istringstream fields(line);
     Trial t;
     if (!std::getline(fields, t.id, '\t') || !std::getline(fields, t.world, '\t') ||
-        !std::getline(fields, t.method, '\t') || !(fields >> t.objects >> t.seed >> t.scatter_seed) ||
+        !std::getline(fields, t.method, '\t') || !(fields >> t.objects >> t.seed >> t.scatter_seed >> t.program) ||
         t.id.size() != kIdDigits) {
       throw InputError(
-          fmt::format("{}:{}: id, world, method, objects, seed and scatter_seed are needed", file, trials.size() + 2));
+          fmt::format("{}:{}: id, world, method, objects, seed, scatter_seed and program are needed", file, trials.size() + 2));
     }
     trials.push_back(std::move(t));
   }

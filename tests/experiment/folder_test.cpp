@@ -15,7 +15,7 @@ struct ExperimentFolder : testing::Test {
   test::TemporaryFolder folder;
   fs::path spec_file = folder.write(
       "e.yaml", "name: test\nworlds: [lab_30]\nmethods: [static]\nobjects: [2]\nruns: 3\nscatter_seed: 100\n");
-  std::vector<Trial> trials = trials_of(load_spec(spec_file), {{"lab_30", "key"}});
+  std::vector<Trial> trials = trials_of(load_spec(spec_file), {{"lab_30", "key"}}, "program");
   fs::path out = folder.path() / "out";
   std::string report = report::to_json(sample_report(), "");
 
@@ -53,14 +53,33 @@ TEST_F(ExperimentFolder, FailuresStayUntilTheyAreForgotten) {
 
 TEST_F(ExperimentFolder, OtherFoldersAreRefused) {
   (void)Folder::begin(out, spec_file, trials);
-  const auto others = trials_of(load_spec(spec_file), {{"lab_30", "another world"}});
+  const auto others = trials_of(load_spec(spec_file), {{"lab_30", "another world"}}, "program");
   EXPECT_NE(test::sentence_of<ArgumentError>([&] {
               (void)Folder::begin(out, spec_file, others);
             }).find("holds another experiment"),
             std::string::npos);
+  const auto newer = trials_of(load_spec(spec_file), {{"lab_30", "key"}}, "newer");
+  EXPECT_NE(test::sentence_of<ArgumentError>([&] {
+              (void)Folder::begin(out, spec_file, newer);
+            }).find("results of another program (program; this one is newer)"),
+            std::string::npos);
   EXPECT_THROW((void)Folder::begin(folder.path(), spec_file, trials), ArgumentError) << "there is a file in it";
   EXPECT_THROW((void)Folder::begin(spec_file, spec_file, trials), ArgumentError) << "is a file";
   EXPECT_THROW((void)Folder::open(folder.path()), InputError);
+}
+
+TEST_F(ExperimentFolder, IsForOneProgram) {
+  const Folder begun = Folder::begin(out, spec_file, trials);
+  EXPECT_NO_THROW(begun.require_program("program"));
+  EXPECT_THROW(begun.require_program("newer"), ArgumentError);
+}
+
+TEST_F(ExperimentFolder, KeepsWhatTheIdsStandFor) {
+  const Folder begun = Folder::begin(out, spec_file, trials);
+  EXPECT_THROW((void)begun.basis(), InputError) << "not there yet";
+  const std::map<std::string, std::string> keys{{"lab_30", "key"}};
+  begun.save_basis(keys);
+  EXPECT_EQ(Folder::open(out).basis(), keys);
 }
 
 TEST_F(ExperimentFolder, WorkIsClearedAway) {

@@ -9,7 +9,7 @@
 namespace amiss::experiment {
 namespace {
 
-const Trial kTrial{"0123456789abcdef0123", "lab_30", "static", 2, 7, 102};
+const Trial kTrial{"0123456789abcdef0123", "lab_30", "static", 2, 7, 102, "program"};
 
 TEST(TrialResult, IsReadBack) {
   const std::string json = report::to_json(sample_report(), "");
@@ -55,7 +55,17 @@ TEST(TrialResult, OfAnotherTrialOrBrokenIsRefused) {
   other.seed = 8;
   EXPECT_EQ(test::sentence_of<InputError>([&] { (void)parse_result(other, text, "r.json"); }),
             "r.json: is the result of another trial");
+  Trial newer = kTrial;
+  newer.program = "newer";
+  EXPECT_NE(test::sentence_of<InputError>([&] {
+              (void)parse_result(newer, text, "r.json");
+            }).find("comes from another program (program) than the plan's (newer)"),
+            std::string::npos);
   EXPECT_THROW((void)parse_result(kTrial, text.substr(0, text.size() / 2), "r.json"), InputError);
+  std::string changed = text;
+  changed.replace(changed.find("\"x\""), 3, "\"y\"");
+  EXPECT_EQ(test::sentence_of<InputError>([&] { (void)parse_result(kTrial, changed, "r.json"); }),
+            "r.json: was changed since it was written (its sha256 disagrees)");
   EXPECT_THROW((void)parse_times("{}", "t.json"), InputError);
 }
 

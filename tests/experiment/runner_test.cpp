@@ -23,7 +23,7 @@ struct Runner : testing::Test {
   test::TemporaryFolder folder;
   fs::path spec_file =
       folder.write("e.yaml", "name: test\nworlds: [lab_30]\nmethods: [dynamic, static]\nobjects: [2]\nruns: 6\n");
-  std::vector<Trial> trials = trials_of(load_spec(spec_file), {{"lab_30", "key"}});
+  std::vector<Trial> trials = trials_of(load_spec(spec_file), {{"lab_30", "key"}}, "program");
   Folder out = Folder::begin(folder.path() / "out", spec_file, trials);
 
   Runner() { folder.write("report.json", report::to_json(sample_report(), "")); }

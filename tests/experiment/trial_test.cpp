@@ -23,17 +23,17 @@ Spec spec() {
 const std::map<std::string, std::string> kKeys{{"flat_90", "a"}, {"lab_30", "b"}};
 
 TEST(Trials, AreAllCombinationsWithDifferentIds) {
-  const auto trials = trials_of(spec(), kKeys);
+  const auto trials = trials_of(spec(), kKeys, "p");
   ASSERT_EQ(trials.size(), 160U);
   std::set<std::string> ids;
   for (const Trial& t : trials) ids.insert(t.id);
   EXPECT_EQ(ids.size(), 160U);
-  EXPECT_EQ(trials_of(spec(), kKeys), trials);
+  EXPECT_EQ(trials_of(spec(), kKeys, "p"), trials);
 }
 
 TEST(Trials, OfABatchShareThePlacesOfTheirObjects) {
   std::map<std::pair<std::string, int>, std::set<std::uint64_t>> places, seeds;
-  for (const Trial& t : trials_of(spec(), kKeys)) {
+  for (const Trial& t : trials_of(spec(), kKeys, "p")) {
     places[{t.world, t.objects}].insert(t.scatter_seed);
     seeds[{t.world, t.objects}].insert(t.seed);
   }
@@ -41,13 +41,14 @@ TEST(Trials, OfABatchShareThePlacesOfTheirObjects) {
   for (const auto& [batch, view] : seeds) EXPECT_EQ(view.size(), 10U) << "view triangles differ from run to run";
 }
 
-TEST(Trials, IdsDependOnWorldKeyAndTimeLimit) {
-  const Trial before = trials_of(spec(), kKeys).front();
-  EXPECT_NE(trials_of(spec(), {{"flat_90", "c"}, {"lab_30", "b"}}).front().id, before.id);
-  EXPECT_EQ(trials_of(spec(), {{"flat_90", "a"}, {"lab_30", "c"}}).front().id, before.id);
+TEST(Trials, IdsDependOnWorldKeyTimeLimitAndProgram) {
+  const Trial before = trials_of(spec(), kKeys, "p").front();
+  EXPECT_NE(trials_of(spec(), {{"flat_90", "c"}, {"lab_30", "b"}}, "p").front().id, before.id);
+  EXPECT_EQ(trials_of(spec(), {{"flat_90", "a"}, {"lab_30", "c"}}, "p").front().id, before.id);
+  EXPECT_NE(trials_of(spec(), kKeys, "q").front().id, before.id) << "a changed program resumes nothing of the old";
   Spec longer = spec();
   longer.time_limit_s += 1.0;
-  EXPECT_NE(trials_of(longer, kKeys).front().id, before.id);
+  EXPECT_NE(trials_of(longer, kKeys, "p").front().id, before.id);
 }
 
 TEST(Trials, ArgumentsSayAllThatTheTrialIs) {
@@ -62,15 +63,15 @@ TEST(Trials, ArgumentsSayAllThatTheTrialIs) {
 }
 
 TEST(Trials, PlanIsReadBack) {
-  const auto trials = trials_of(spec(), kKeys);
+  const auto trials = trials_of(spec(), kKeys, "p");
   EXPECT_EQ(parse_plan(to_tsv(trials), "plan.tsv"), trials);
 }
 
 TEST(Trials, BrokenPlansAreRefusedByLine) {
-  const std::string plan = to_tsv(trials_of(spec(), kKeys));
+  const std::string plan = to_tsv(trials_of(spec(), kKeys, "p"));
   EXPECT_EQ(test::sentence_of<InputError>([] { (void)parse_plan("nothing", "plan.tsv"); }),
             "plan.tsv:1: is no plan of an experiment");
-  const std::string cut = plan.substr(0, plan.size() - 6);
+  const std::string cut = plan.substr(0, plan.size() - 8);
   EXPECT_NE(test::sentence_of<InputError>([&] { (void)parse_plan(cut, "plan.tsv"); }).find("plan.tsv:161: "),
             std::string::npos);
 }
