@@ -6,16 +6,12 @@
 
 #include "core/result.hpp"
 #include "mapping/internal/depth_evidence.hpp"
+#include "mapping/internal/frame_check.hpp"
 #include "mapping/internal/ray_evidence.hpp"
 #include "mapping/internal/store.hpp"
 
 namespace amiss::mapping {
 namespace {
-
-/// Origins and points of rays must lie within the map's limits.
-bool reachable(const Eigen::Vector3d& p, double resolution_m) {
-  return p.allFinite() && p.cwiseAbs().maxCoeff() / resolution_m < kVoxelLimit - 1;
-}
 
 void check(const VoxelMapParams& p) {
   const auto require = [](bool good, const char* sentence) {
@@ -30,20 +26,6 @@ void check(const VoxelMapParams& p) {
   require(p.pixel_step >= 1, "mapping.pixel_step: allowed are 1 and more");
   require(p.hit_log_odds > 0.0 && p.miss_log_odds < 0.0 && p.clamp_low < 0.0 && p.clamp_high > 0.0,
           "mapping.hit and mapping.clamp_high must be positive, mapping.miss and mapping.clamp_low negative");
-}
-
-void check(const RgbdFrame& frame, const Transform<Map, Camera>& T_map_camera, double resolution_m) {
-  const CameraIntrinsics& k = frame.intrinsics;
-  if (k.width <= 0 || k.height <= 0 ||
-      frame.depth_m.size() != static_cast<std::size_t>(k.width) * static_cast<std::size_t>(k.height)) {
-    throw InputError("frame: the number of depth pixels must be width x height");
-  }
-  if (!(k.fx > 0.0 && k.fy > 0.0 && std::isfinite(k.fx + k.fy + k.cx + k.cy))) {
-    throw InputError("frame: the focal lengths must be positive and all intrinsics finite");
-  }
-  if (!T_map_camera.T.matrix().allFinite() || !reachable(T_map_camera.position(), resolution_m)) {
-    throw InputError("frame: the camera's pose must be finite and within the map's limits");
-  }
 }
 
 }  // namespace
@@ -104,7 +86,7 @@ VoxelMap& VoxelMap::operator=(VoxelMap&&) noexcept = default;
 VoxelMap::~VoxelMap() = default;
 
 void VoxelMap::insert(const RgbdFrame& frame, const Transform<Map, Camera>& T_map_camera) {
-  check(frame, T_map_camera, params_.resolution_m);
+  check_frame(frame, T_map_camera, params_.resolution_m);
   const std::uint64_t revision = revision_ + 1;
   for (const BlockEvidence& evidence : scratch_->depth.look(frame, T_map_camera, params_)) {
     if (!in_limits(voxel_in(evidence.key, 0, 0))) continue;

@@ -21,6 +21,7 @@ constexpr std::ptrdiff_t kMostLines = 300;
 const std::map<std::string, std::string> kTestedBy = {
     // One class in several files.
     {"mapping/voxel_map_queries", "mapping/voxel_map_test.cpp"},
+    {"mapping/surface_map_queries", "mapping/surface_map_test.cpp"},
     {"sim/scatter_file", "sim/scatter_test.cpp"},
     {"scenario/scenario_text", "scenario/scenario_file_test.cpp"},
     {"view/head_of", "view/head_test.cpp"},

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mapping/internal/block_projection.hpp"
 #include "mapping/internal/wide.hpp"
 
 namespace amiss::mapping {
 namespace {
 
-constexpr float kNearM = 0.05f;  // voxel centres nearer to the camera's plane say nothing
+constexpr float kNearM = kNearPlaneM;
 
 struct Image {
   const float* reach;
@@ -75,38 +76,13 @@ const std::vector<BlockEvidence>& DepthEvidence::look(const RgbdFrame& frame,
 }
 
 DepthEvidence::Verdict DepthEvidence::judge(const Eigen::Vector3f& corner_local) const {
-  // The outermost centres of the block; everything between projects between.
-  const Eigen::Vector3f first =
-      frustum_.R_camera_local * (corner_local + Eigen::Vector3f::Constant(0.5f)) + frustum_.t_camera_local;
-  const Eigen::Matrix3f edges = frustum_.R_camera_local * (kBlockEdge - 1.0f);
-  const Eigen::Vector3f low_edges = edges.cwiseMin(0.0f).rowwise().sum();
-  const Eigen::Vector3f high_edges = edges.cwiseMax(0.0f).rowwise().sum();
-  const float z_low = first.z() + low_edges.z(), z_high = first.z() + high_edges.z();
-  if (z_high < kNearM) return Verdict::kNothing;
-  if (z_low < 2.0f * kNearM) return Verdict::kMixed;
-  float u_low = 1e9f, u_high = -1e9f, v_low = 1e9f, v_high = -1e9f;
-  for (int corner = 0; corner < 8; ++corner) {
-    Eigen::Vector3f p = first;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (((corner >> axis) & 1) != 0) p += edges.col(axis);
-    }
-    const float u = p.x() / p.z() * frustum_.fx + frustum_.cx, v = p.y() / p.z() * frustum_.fy + frustum_.cy;
-    u_low = std::min(u_low, u);
-    u_high = std::max(u_high, u);
-    v_low = std::min(v_low, v);
-    v_high = std::max(v_high, v);
-  }
-  // A pixel to spare on all sides for what rounding may do.
-  const auto width = static_cast<float>(pyramid_.width()), height = static_cast<float>(pyramid_.height());
-  if (u_high < -1.5f || v_high < -1.5f || u_low > width + 0.5f || v_low > height + 0.5f) return Verdict::kNothing;
-  const bool inside = u_low >= 1.5f && v_low >= 1.5f && u_high <= width - 2.5f && v_high <= height - 2.5f;
-  const auto pixel = [](float at, float limit) { return static_cast<int>(std::clamp(at, 0.0f, limit)); };
-  const PixelRect rect{pixel(u_low - 1.5f, width - 1.0f), pixel(u_high + 1.5f, width - 1.0f),
-                       pixel(v_low - 1.5f, height - 1.0f), pixel(v_high + 1.5f, height - 1.0f)};
-  const DepthPyramid::Range reach = pyramid_.range(rect);
+  const CubeProjection cube = project_cube(frustum_, corner_local, kBlockEdge, pyramid_.width(), pyramid_.height());
+  if (cube.place == CubeProjection::Place::kNowhere) return Verdict::kNothing;
+  if (cube.place == CubeProjection::Place::kNear) return Verdict::kMixed;
+  const DepthPyramid::Range reach = pyramid_.range(cube.rect);
   constexpr float kSpareM = 1e-4f;
-  if (reach.high <= z_low - kSpareM) return Verdict::kNothing;
-  return inside && reach.low > z_high + kSpareM ? Verdict::kAllMissed : Verdict::kMixed;
+  if (reach.high <= cube.z_low - kSpareM) return Verdict::kNothing;
+  return cube.inside && reach.low > cube.z_high + kSpareM ? Verdict::kAllMissed : Verdict::kMixed;
 }
 
 void DepthEvidence::add_block(int x, int y, int z, const VoxelMapParams& params, Search search) {

@@ -46,6 +46,18 @@ void DepthPyramid::build(const RgbdFrame& frame, const VoxelMapParams& params) {
     const float* depth = sampled_row(frame, static_cast<std::size_t>(step), row, packed_);
     reach_of_row(depth, w, limits, &finest.low[row * w]);
   }
+  raise();
+}
+
+void DepthPyramid::build(const std::vector<float>& reach, int width, int height) {
+  if (levels_.empty()) levels_.resize(1);
+  levels_.front().width = width;
+  levels_.front().height = height;
+  levels_.front().low = reach;
+  raise();
+}
+
+void DepthPyramid::raise() {
   std::size_t level = 0;
   while (levels_[level].width > 2 || levels_[level].height > 2) {
     if (levels_.size() == level + 1) levels_.emplace_back();

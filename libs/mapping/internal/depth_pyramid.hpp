@@ -21,6 +21,8 @@ struct PixelRect {
 class DepthPyramid {
  public:
   void build(const RgbdFrame& frame, const VoxelMapParams& params);
+  /// Of a reach that somebody else worked out, row-major.
+  void build(const std::vector<float>& reach, int width, int height);
 
   [[nodiscard]] int width() const { return levels_.front().width; }
   [[nodiscard]] int height() const { return levels_.front().height; }
@@ -37,6 +39,7 @@ class DepthPyramid {
     int width = 0, height = 0;
     std::vector<float> low, high;  // of level 0 only low is filled
   };
+  void raise();
   void halve(const Level& fine, bool finest, Level& coarse) const;
 
   std::vector<Level> levels_;
