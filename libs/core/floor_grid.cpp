@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/line_cells.hpp"
+
 namespace amiss {
 
 FloorGrid::FloorGrid(double resolution_m, Eigen::Vector2d origin_m, int width, int height, Occupancy fill)
@@ -98,29 +100,8 @@ std::vector<float> distance_to_occupied_m(const FloorGrid& grid, bool unknown_is
 }
 
 bool line_of_sight(const FloorGrid& grid, const Eigen::Vector2d& a_map, const Eigen::Vector2d& b_map) {
-  Cell cell = grid.cell_at(a_map);
-  const Cell last = grid.cell_at(b_map);
-  const Eigen::Vector2d a = (a_map - grid.origin_m()) / grid.resolution_m();
-  const Eigen::Vector2d step = (b_map - a_map) / grid.resolution_m();
-  const int sign_x = step.x() > 0 ? 1 : -1;
-  const int sign_y = step.y() > 0 ? 1 : -1;
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double dx = step.x() != 0.0 ? std::abs(1.0 / step.x()) : infinity;
-  const double dy = step.y() != 0.0 ? std::abs(1.0 / step.y()) : infinity;
-  double next_x = step.x() != 0.0 ? (cell.x + (sign_x > 0 ? 1 : 0) - a.x()) / step.x() : infinity;
-  double next_y = step.y() != 0.0 ? (cell.y + (sign_y > 0 ? 1 : 0) - a.y()) / step.y() : infinity;
-  int left = std::abs(last.x - cell.x) + std::abs(last.y - cell.y);
-  while (true) {
-    if (grid.at(cell) != Occupancy::kFree) return false;
-    if (left-- <= 0) return true;
-    if (next_x < next_y) {
-      cell.x += sign_x;
-      next_x += dx;
-    } else {
-      cell.y += sign_y;
-      next_y += dy;
-    }
-  }
+  return for_line_cells(grid, a_map, b_map,
+                        [&grid](Cell cell, double, double) { return grid.at(cell) == Occupancy::kFree; });
 }
 
 }  // namespace amiss

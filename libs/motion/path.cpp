@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "motion/internal/line_cells.hpp"
+#include "core/line_cells.hpp"
 
 namespace amiss::motion {
 
@@ -15,7 +15,7 @@ double Path::length_m() const {
 double min_clearance_m(const DriveMap& map, const Path& path, double from_m) {
   double least = map.params().clearance_cap_m;
   const auto look = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    internal::for_line_cells(map.grid(), a, b, [&](Cell c, double, double) {
+    for_line_cells(map.grid(), a, b, [&](Cell c, double, double) {
       const bool is_free = map.grid().at(c) == Occupancy::kFree;
       least = is_free ? std::min(least, static_cast<double>(map.clearance_at(c))) : 0.0;
       return is_free;
@@ -36,7 +36,7 @@ double min_clearance_m(const DriveMap& map, const Path& path, double from_m) {
 }
 
 bool straight_passable(const DriveMap& map, const Eigen::Vector2d& a_map, const Eigen::Vector2d& b_map) {
-  return internal::for_line_cells(map.grid(), a_map, b_map, [&](Cell c, double, double) { return map.passable(c); });
+  return for_line_cells(map.grid(), a_map, b_map, [&](Cell c, double, double) { return map.passable(c); });
 }
 
 }  // namespace amiss::motion

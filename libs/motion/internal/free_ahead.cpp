@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/internal/line_cells.hpp"
+#include "core/line_cells.hpp"
 
 namespace amiss::motion::internal {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/line_cells.hpp"
 #include "motion/internal/grid_search.hpp"
-#include "motion/internal/line_cells.hpp"
 
 namespace amiss::motion::internal {
 namespace {

@@ -1,13 +1,14 @@
 // The cells that a straight line touches, in order (Amanatides and Woo 1987).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "core/floor_grid.hpp"
 
-namespace amiss::motion::internal {
+namespace amiss {
 
 /// visit(cell, begin, end) with the part of the line, 0 to 1, that lies in the cell; ends early when it says false.
 template <class Visit>
@@ -38,4 +39,4 @@ bool for_line_cells(const FloorGrid& grid, const Eigen::Vector2d& a_map, const E
   return true;
 }
 
-}  // namespace amiss::motion::internal
+}  // namespace amiss
