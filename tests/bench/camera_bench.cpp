@@ -4,25 +4,14 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "sim/camera_fixture.hpp"
 #include "sim/depth_noise.hpp"
-#include "sim/renderer.hpp"
 #include "world/loader.hpp"
 
 namespace {
 
 using namespace amiss;
-
-world::Body body_of(std::string name, world::Geometry geometry, const Eigen::Vector3d& at,
-                    const Eigen::Vector3f& colour) {
-  world::Body body;
-  body.name = std::move(name);
-  body.pose.T.translation() = at;
-  world::Shape shape;
-  shape.geometry = std::move(geometry);
-  shape.material.diffuse = colour;
-  body.visuals.push_back(std::move(shape));
-  return body;
-}
+using sim::coloured_body;
 
 std::shared_ptr<const world::Texture> boards() {
   auto texture = std::make_shared<world::Texture>();
@@ -38,20 +27,20 @@ std::shared_ptr<const world::Texture> boards() {
 
 world::World furnished_room() {
   world::World room;
-  room.bodies.push_back(body_of("floor", world::Box{{10, 8, 0.1}}, {0, 0, -0.05}, {1, 1, 1}));
+  room.bodies.push_back(coloured_body("floor", world::Box{{10, 8, 0.1}}, {0, 0, -0.05}, {1, 1, 1}));
   room.bodies.back().visuals[0].material.texture = boards();
   for (const double side : {-1.0, 1.0}) {
-    room.bodies.push_back(body_of("wall", world::Box{{10, 0.1, 2.5}}, {0, 4.05 * side, 1.25}, {0.9F, 0.88F, 0.8F}));
-    room.bodies.push_back(body_of("wall", world::Box{{0.1, 8, 2.5}}, {5.05 * side, 0, 1.25}, {0.85F, 0.9F, 0.88F}));
+    room.bodies.push_back(coloured_body("wall", world::Box{{10, 0.1, 2.5}}, {0, 4.05 * side, 1.25}, {0.9F, 0.88F, 0.8F}));
+    room.bodies.push_back(coloured_body("wall", world::Box{{0.1, 8, 2.5}}, {5.05 * side, 0, 1.25}, {0.85F, 0.9F, 0.88F}));
   }
   RandomStream random(1, "bench");
   for (int i = 0; i < 150; ++i) {
     const Eigen::Vector3d at(random.uniform(-4.8, 4.8), random.uniform(-3.8, 3.8), random.uniform(0.1, 1.5));
     const Eigen::Vector3f colour = Eigen::Vector3d(random.uniform(), random.uniform(), random.uniform()).cast<float>();
-    room.bodies.push_back(body_of("ball", world::Sphere{random.uniform(0.03, 0.1)}, at, colour));
+    room.bodies.push_back(coloured_body("ball", world::Sphere{random.uniform(0.03, 0.1)}, at, colour));
     room.bodies.push_back(
-        body_of("can", world::Cylinder{random.uniform(0.02, 0.1), 0.3}, -at + Eigen::Vector3d(0, 0, 1.6), colour));
-    world::Body table = body_of("table", world::Box{{0.5, 0.3, 0.03}}, {at.y() * 1.2, at.x() * 0.8, 0.4}, colour);
+        coloured_body("can", world::Cylinder{random.uniform(0.02, 0.1), 0.3}, -at + Eigen::Vector3d(0, 0, 1.6), colour));
+    world::Body table = coloured_body("table", world::Box{{0.5, 0.3, 0.03}}, {at.y() * 1.2, at.x() * 0.8, 0.4}, colour);
     for (int leg = 0; leg < 4; ++leg) {
       world::Shape shape = table.visuals[0];
       shape.geometry = world::Cylinder{0.02, 0.4};
