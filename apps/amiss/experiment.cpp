@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "core/result.hpp"
+#include "experiment_merge.hpp"
 #include "experiment_run.hpp"
 
 namespace amiss::app {
@@ -36,6 +37,13 @@ void add_run(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exi
   run->callback([a, &exit_status] { exit_status = run_experiment(a->spec, a->options); });
 }
 
+void add_on_folder(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status, const char* name,
+                   const char* what, int (*act)(const std::filesystem::path&)) {
+  CLI::App* command = experiment.add_subcommand(name, what);
+  command->add_option("DIR", a->folder, "folder of the experiment")->required();
+  command->callback([a, &exit_status, act] { exit_status = act(a->folder); });
+}
+
 }  // namespace
 
 void add_experiment_command(CLI::App& app, int& exit_status) {
@@ -48,9 +56,10 @@ void add_experiment_command(CLI::App& app, int& exit_status) {
   work->add_option("DIR", a->folder, "folder of the experiment")->required();
   work->add_option("ID", a->ids, "of the trials")->required();
   work->callback([a, &exit_status] { exit_status = work_on_experiment(a->folder, a->ids); });
-  CLI::App* status = experiment->add_subcommand("status", "what is done, failed and missing");
-  status->add_option("DIR", a->folder, "folder of the experiment")->required();
-  status->callback([a, &exit_status] { exit_status = show_experiment(a->folder); });
+  add_on_folder(*experiment, a, exit_status, "status", "what is done, failed and missing", show_experiment);
+  add_on_folder(*experiment, a, exit_status, "merge", "the results as tables, and what they say", merge_experiment);
+  add_on_folder(*experiment, a, exit_status, "verify", "whether nothing is lost, doubled or changed",
+                verify_experiment);
 }
 
 }  // namespace amiss::app

@@ -1,6 +1,6 @@
 // The folder of an experiment: experiment.yaml (the spec as it was), plan.tsv, trials/ID.json, times/ID.json, work/ for
-// what is under way, basis/WORLD.txt (what the ids stand for), and what merging makes of it. A result file is there whole or not at all, so that a run may be
-// killed at any time; the same trial done twice writes the same bytes.
+// what is under way, basis/WORLD.txt (what the ids stand for), and what merging makes of it. A result file is there
+// whole or not at all, so that a run may be killed at any time; the same trial done twice writes the same bytes.
 #pragma once
 
 #include <filesystem>
@@ -28,6 +28,7 @@ class Folder {
   [[nodiscard]] const std::vector<Trial>& trials() const { return trials_; }
   [[nodiscard]] const Trial& trial(const std::string& id) const;  // ArgumentError when there is none
 
+  [[nodiscard]] std::filesystem::path result_file(const Trial& trial) const;
   [[nodiscard]] bool has(const Trial& trial) const;
   [[nodiscard]] std::vector<Trial> missing() const;
   [[nodiscard]] std::string result_bytes(const Trial& trial) const;
@@ -49,7 +50,6 @@ class Folder {
 
  private:
   Folder(std::filesystem::path path, Spec spec, std::vector<Trial> trials);
-  [[nodiscard]] std::filesystem::path result_file(const Trial& trial) const;
 
   std::filesystem::path path_;
   Spec spec_;

@@ -30,8 +30,8 @@ std::vector<Trial> trials_of(const Spec& spec, const std::map<std::string, std::
                       spec.first_seed + static_cast<std::uint64_t>(run),
                       spec.scatter_seed + static_cast<std::uint64_t>(objects),
                       program};
-          const std::string all = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n", keys.at(world), world, method, objects,
-                                              trial.seed, trial.scatter_seed, spec.time_limit_s, program);
+          const std::string all = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n", keys.at(world), world, method,
+                                              objects, trial.seed, trial.scatter_seed, spec.time_limit_s, program);
           trial.id = sha256(all).substr(0, kIdDigits);
           trials.push_back(std::move(trial));
         }
@@ -76,8 +76,8 @@ std::vector<Trial> parse_plan(std::string_view text, const std::string& file) {
     if (!std::getline(fields, t.id, '\t') || !std::getline(fields, t.world, '\t') ||
         !std::getline(fields, t.method, '\t') || !(fields >> t.objects >> t.seed >> t.scatter_seed >> t.program) ||
         t.id.size() != kIdDigits) {
-      throw InputError(
-          fmt::format("{}:{}: id, world, method, objects, seed, scatter_seed and program are needed", file, trials.size() + 2));
+      throw InputError(fmt::format("{}:{}: id, world, method, objects, seed, scatter_seed and program are needed", file,
+                                   trials.size() + 2));
     }
     trials.push_back(std::move(t));
   }

@@ -22,8 +22,8 @@ struct Trial {
 };
 
 /// All trials, in the order world, objects, method, seed. `keys`: for each world a text of all that its trials depend
-/// on beside the fields of Trial and the time limit (world, robot, catalogue, parameters, reference). `program`: the hash of
-/// the executable, without white space.
+/// on beside the fields of Trial and the time limit (world, robot, catalogue, parameters, reference). `program`: the
+/// hash of the executable, without white space.
 [[nodiscard]] std::vector<Trial> trials_of(const Spec& spec, const std::map<std::string, std::string>& keys,
                                            const std::string& program);
 

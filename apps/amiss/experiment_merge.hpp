@@ -1,0 +1,13 @@
+// What `amiss experiment merge` and `verify` do once their arguments are read: exit status (commands.hpp).
+#pragma once
+
+#include <filesystem>
+
+namespace amiss::app {
+
+/// Writes the tables and prints the short ones. 1: trials are missing or failed.
+int merge_experiment(const std::filesystem::path& folder);
+/// 1: something is wrong.
+int verify_experiment(const std::filesystem::path& folder);
+
+}  // namespace amiss::app
