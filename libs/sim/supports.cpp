@@ -27,7 +27,7 @@ std::optional<Support> top_of(const world::Box& box, const Eigen::Isometry3d& T_
 }
 
 std::optional<Support> top_of(const world::Cylinder& disc, const Eigen::Isometry3d& T_world_disc) {
-  if (std::abs(T_world_disc.linear()(2, 2)) < kLevel) return std::nullopt;
+  if (std::abs(T_world_disc.linear()(2, 2)) < kLevel || disc.length > disc.radius) return std::nullopt;
   Support top;
   top.is_round = true;
   top.half_m = Eigen::Vector2d::Constant(disc.radius);

@@ -1,6 +1,7 @@
 // Where things can be put: level tops of what stands in a world (table tops, boards, seats, counters).
 // World -> flat boxes and discs of its static bodies in the world frame [m], in the order of bodies and shapes. Boxes
-// and upright cylinders among the collision shapes count, meshes do not. What stands above a top is not asked for.
+// and upright cylinders among the collision shapes count, meshes do not; a cylinder that is higher than its radius is a
+// lamp shade or the crown of a plant, no table. What stands above a top is not asked for.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,7 @@ namespace amiss::sim {
 
 struct SupportParams {
   double min_height_m = 0.10;  // lower is floor
-  double max_height_m = 1.45;  // higher nobody sees
+  double max_height_m = 1.15;  // higher nobody sees
   double min_edge_m = 0.25;    // shorter edge of a box, diameter of a disc
 };
 

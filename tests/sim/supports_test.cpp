@@ -13,6 +13,7 @@ TEST(Supports, LevelTopsOfStaticBoxesAndDiscsCount) {
   world::World world = test::room(4, 4);
   world.bodies.push_back(test::block("table", {1.0, 0.6, 0.04}, {2.0, 2.0, 0.72}));
   world.bodies.push_back(test::body("round", world::Cylinder{0.4, 0.03}, {1.0, 1.0, 0.50}, true));
+  world.bodies.push_back(test::body("crown", world::Cylinder{0.25, 0.35}, {1.0, 3.8, 0.50}, true));  // no table
   world.bodies.push_back(test::block("rail", {1.0, 0.1, 0.04}, {3.0, 3.0, 0.72}));           // too narrow
   world.bodies.push_back(test::block("cupboard", {0.5, 0.5, 2.0}, {3.5, 1.0, 1.0}));         // too high
   world.bodies.push_back(test::block("crate", {0.5, 0.5, 0.4}, {3.0, 0.5, 0.2}, false));     // moves
