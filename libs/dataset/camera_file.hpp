@@ -10,6 +10,8 @@
 
 namespace amiss::dataset {
 
+inline constexpr double kTumDepthScale = 5000.0;  // 1/m, what TUM RGB-D folders have
+
 struct CameraFile {
   CameraIntrinsics intrinsics;
   double depth_scale = 1000.0;

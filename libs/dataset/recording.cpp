@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTumDepthScale = 5000.0, kMillimetres = 1000.0;
+constexpr double kMillimetres = 1000.0;
 
 class FolderRecording : public Recording {
  public:

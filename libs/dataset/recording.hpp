@@ -5,7 +5,8 @@
 //
 // Layouts of folders, told apart by their files:
 //   TUM RGB-D   rgb.txt, depth.txt, groundtruth.txt (or associations.txt instead of the first two); colour and depth
-//               belong together within 0.02 s, the pose is interpolated between two that are at most 0.5 s apart
+//               belong together within 0.02 s, the pose is interpolated between two that are at most 0.5 s apart;
+//               where there is an estimated.txt beside groundtruth.txt, the poses are taken from it
 //   7-Scenes    frame-N.color.{png,jpg}, frame-N.depth.png, frame-N.pose.txt (4 x 4)
 //   Open3D      color/ or image/ and depth/ with N.{png,jpg}, trajectory.log (the k-th entry is of the k-th depth)
 // None of them says what the camera is. `camera.yaml` in the folder does (see camera_file.hpp), options overrule it.

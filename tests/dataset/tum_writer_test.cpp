@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/files.hpp"
 #include "core/result.hpp"
 #include "core/temporary_folder.hpp"
 
@@ -45,6 +46,24 @@ TEST(TumWriter, WhatIsWrittenIsRead) {
       EXPECT_TRUE(std::isnan(d) ? std::isnan(read.frame.depth_m[k]) : std::abs(read.frame.depth_m[k] - d) < 1e-6F) << k;
     }
   }
+}
+
+TEST(TumWriter, EstimatedPosesAreReadAndTrueOnesStandApart) {
+  const test::TemporaryFolder folder;
+  TumWriter writer(folder.path() / "run", {kCamera, kTumDepthScale});
+  Transform<Map, Camera> T_map_camera_true;
+  T_map_camera_true.T.translation() = Eigen::Vector3d(7, 8, 9);
+  for (int i = 0; i < 2; ++i) writer.add(frame_at(i), T_map_camera_true);
+  EXPECT_THROW(writer.add(frame_at(2)), ArgumentError) << "the true pose is missing";
+  writer.finish();
+  writer.save_associations();
+  EXPECT_TRUE(open_recording(folder.path() / "run")->load(1).T_map_camera.T.isApprox(frame_at(1).T_map_camera.T, 1e-12));
+  const auto truth = parse_tum_trajectory(load_bytes(folder.path() / "run" / "groundtruth.txt"), "groundtruth.txt");
+  ASSERT_EQ(truth.size(), 2U);
+  EXPECT_TRUE(truth[1].T_map_camera.T.isApprox(T_map_camera_true.T, 1e-12));
+  EXPECT_EQ(load_bytes(folder.path() / "run" / "associations.txt"),
+            "0.000000000 rgb/0.000000000.png 0.000000000 depth/0.000000000.png\n"
+            "0.100000000 rgb/0.100000000.png 0.100000000 depth/0.100000000.png\n");
 }
 
 TEST(TumWriter, RefusesWhatDoesNotFit) {

@@ -96,8 +96,10 @@ bool is_tum_folder(const std::filesystem::path& folder) {
 }
 
 FolderIndex index_tum(const std::filesystem::path& folder) {
-  const std::filesystem::path truth = folder / "groundtruth.txt";
-  const std::vector<StampedPose> poses = parse_tum_trajectory(load_bytes(truth), truth.string());
+  // What a robot believed comes before what was true: that is for those who score.
+  const bool estimated = std::filesystem::exists(folder / "estimated.txt");
+  const std::filesystem::path file = folder / (estimated ? "estimated.txt" : "groundtruth.txt");
+  const std::vector<StampedPose> poses = parse_tum_trajectory(load_bytes(file), file.string());
   std::size_t colour_images = 0;
   FolderIndex index;
   for (Pair& pair : load_pairs(folder, colour_images)) {
