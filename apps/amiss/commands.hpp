@@ -14,6 +14,7 @@ inline constexpr int kGoalMet = 0, kGoalNotMet = 1, kWrongArguments = 2, kUnread
 
 void add_tidy_command(CLI::App& app, int& exit_status);
 void add_experiment_command(CLI::App& app, int& exit_status);
+void add_dataset_command(CLI::App& app, int& exit_status);
 void add_map_command(CLI::App& app, int& exit_status);
 void add_diff_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);

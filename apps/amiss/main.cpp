@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   int exit_status = kGoalMet;
   add_tidy_command(app, exit_status);
   add_experiment_command(app, exit_status);
+  add_dataset_command(app, exit_status);
   add_map_command(app, exit_status);
   add_diff_command(app, exit_status);
   add_plan_command(app, exit_status);

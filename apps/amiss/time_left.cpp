@@ -21,8 +21,9 @@ std::string duration_text(double seconds_s) {
   return fmt::format("{:.1f} h", seconds_s / 3600.0);
 }
 
-TimeLeft::TimeLeft(double guess_s)
+TimeLeft::TimeLeft(double guess_s, std::string what)
     : guess_s_(guess_s),
+      what_(std::move(what)),
       terminal_(::isatty(STDERR_FILENO) != 0),
       begin_(std::chrono::steady_clock::now()),
       shown_at_(begin_) {}
@@ -36,7 +37,7 @@ void TimeLeft::show(std::size_t done, std::size_t of) {
   const double passed_s = Seconds(now - begin_).count();
   const auto left = static_cast<double>(of - std::min(done, of));
   const double each_s = done > 0 ? passed_s / static_cast<double>(done) : guess_s_;
-  const std::string line = fmt::format("{} of {} trials, {} left", done, of, duration_text(left * each_s));
+  const std::string line = fmt::format("{} of {} {}, {} left", done, of, what_, duration_text(left * each_s));
   std::cerr << (terminal_ ? "\r\033[K" + line : "amiss: " + line + "\n") << std::flush;
   dirty_ = terminal_;
 }

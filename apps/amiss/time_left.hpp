@@ -1,4 +1,4 @@
-// How far an experiment is and how long it will take: one line on a terminal, now and then a line in a pipe.
+// How far a work of many parts is and how long it will take: one line on a terminal, now and then a line in a pipe.
 #pragma once
 
 #include <chrono>
@@ -11,13 +11,14 @@ namespace amiss::app {
 
 class TimeLeft {
  public:
-  /// `guess_s`: of one trial, until one is done.
-  explicit TimeLeft(double guess_s);
+  /// `guess_s`: of one, until one is done. `what`: they are called.
+  explicit TimeLeft(double guess_s, std::string what = "trials");
   void show(std::size_t done, std::size_t of);
   void clear();
 
  private:
   double guess_s_;
+  std::string what_;
   bool terminal_;
   bool dirty_ = false;
   std::size_t shown_ = 0;

@@ -14,7 +14,7 @@ struct RoomPlan {
   std::string world;         // name of the world
   std::vector<int> objects;  // of each visit after the tidy one
   double lift_m = 0.0;       // of the torso, all the time
-  std::vector<Pose2<World, Base>> waypoints;
+  std::vector<Pose2<amiss::World, Base>> waypoints;
 };
 
 [[nodiscard]] std::vector<RoomPlan> load_room_plans(const std::filesystem::path& file);

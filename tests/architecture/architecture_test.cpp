@@ -42,6 +42,7 @@ const std::map<std::string, std::string> kTestedBy = {
     {"mission/static_search", "apps/tidy_test.cpp"},
     {"mission/search_views", "apps/tidy_test.cpp"},
     {"mission/mapping_run", "apps/tidy_test.cpp"},
+    {"mission/tour", "apps/dataset_make_test.cpp"},
 };
 
 struct Row {

@@ -1,0 +1,40 @@
+#include "dataset_annotate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/files.hpp"
+#include "core/result.hpp"
+#include "dataset/full_room.hpp"
+
+namespace amiss::app {
+
+namespace {
+
+struct Scene {
+  std::string room, name;
+};
+
+Scene scene_of(const std::filesystem::path& recording) {
+  const std::filesystem::path file = recording / "recording.json";
+  try {
+    const auto json = nlohmann::json::parse(load_bytes(file));
+    Scene scene{json.at("room").get<std::string>(), json.at("scene").get<std::string>()};
+    const auto is_name = [](const std::string& s) {
+      return !s.empty() && s.front() != '.' && s.find('/') == std::string::npos;
+    };
+    if (is_name(scene.room) && is_name(scene.name)) return scene;
+  } catch (const nlohmann::json::exception&) {
+  }
+  throw InputError(file.string() + ": 'room' and 'scene' are needed, names of a folder and a file");
+}
+
+}  // namespace
+
+void annotate_cloud(const std::filesystem::path& recording, const std::filesystem::path& cloud,
+                    const std::filesystem::path& rooms) {
+  const Scene scene = scene_of(recording);
+  const dataset::CloudFile file = dataset::load_cloud(cloud);
+  dataset::save_scene(rooms / scene.room, scene.name, file, dataset::ground_truth_of(file.cloud(), recording));
+}
+
+}  // namespace amiss::app

@@ -1,0 +1,13 @@
+// Ground truth for a reconstruction that somebody made of one of our recordings.
+#pragma once
+
+#include <filesystem>
+
+namespace amiss::app {
+
+/// Recording's folder, cloud (PLY or PCD, in the frame of the recording's poses) -> a scene more in the folder of full
+/// rooms (dataset/full_room.hpp). InputError where the recording has no ground truth or does not say of what it is.
+void annotate_cloud(const std::filesystem::path& recording, const std::filesystem::path& cloud,
+                    const std::filesystem::path& rooms);
+
+}  // namespace amiss::app

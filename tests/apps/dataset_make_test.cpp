@@ -1,0 +1,141 @@
+// `amiss dataset` as its users see it: two visits to the smallest room, recorded with hasty looks round.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+#include "core/files.hpp"
+#include "dataset/cloud_files.hpp"
+#include "dataset/full_room.hpp"
+#include "dataset/recording.hpp"
+#include "dataset/trajectory_files.hpp"
+
+namespace amiss {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::Ended;
+
+Ended make(const fs::path& folder, const std::string& out, std::vector<std::string> more) {
+  std::vector<std::string> arguments{"dataset", "make",      "--out", out,           "--rooms", "office_desk", "--visits",
+                                     "1",       "--set",     "tour.pan=10", "--set", "tour.head_rate=1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return test::run(arguments, folder);
+}
+
+/// Contents of all files by their names in the folder.
+std::map<std::string, std::string> files_of(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = load_bytes(entry.path());
+  }
+  return files;
+}
+
+struct Dataset : testing::Test {
+  static void SetUpTestSuite() {
+    folder = std::make_unique<test::TemporaryFolder>();
+    made = make(folder->path(), "data", {"-j", "2"});
+  }
+  static void TearDownTestSuite() { folder.reset(); }
+  void SetUp() override { ASSERT_EQ(made.status, 0) << made.err; }
+
+  [[nodiscard]] static fs::path scene(const std::string& name) {
+    return folder->path() / "data" / "recordings" / "office_desk" / name;
+  }
+  static std::unique_ptr<test::TemporaryFolder> folder;
+  static Ended made;
+};
+std::unique_ptr<test::TemporaryFolder> Dataset::folder;
+Ended Dataset::made;
+
+TEST_F(Dataset, ARecordingHasWhatSensorsSayAndTheTruthApart) {
+  EXPECT_NE(made.out.find("2 recordings with 3 objects"), std::string::npos) << made.out;
+  const auto recording = dataset::open_recording(scene("scene2"));
+  ASSERT_GT(recording->size(), 50U);
+  EXPECT_EQ(recording->dropped(), 0U);
+  const json report = json::parse(load_bytes(scene("scene2") / "recording.json"));
+  EXPECT_EQ(report["frames"], recording->size());
+  EXPECT_EQ(report["reached"], report["waypoints"]);
+  EXPECT_EQ(report["collisions"], 0);
+  // The poses are those that the robot believed in: near the true ones, and not the same.
+  const auto truth = dataset::parse_tum_trajectory(load_bytes(scene("scene2") / "groundtruth.txt"), "groundtruth.txt");
+  ASSERT_EQ(truth.size(), recording->size());
+  double furthest_m = 0.0;
+  for (std::size_t i = 0; i < truth.size(); i += 10) {
+    const double off_m = (recording->load(i).T_map_camera.position() - truth[i].T_map_camera.position()).norm();
+    furthest_m = std::max(furthest_m, off_m);
+  }
+  EXPECT_GT(furthest_m, 1e-4);
+  EXPECT_LT(furthest_m, 0.05);
+  EXPECT_GT(load_bytes(scene("scene2") / "laser.log").size(), 10000U);
+  EXPECT_FALSE(fs::exists(scene("scene2") / "instances"));
+  EXPECT_TRUE(dataset::load_instances(scene("scene1") / "truth" / "instances.tsv").back().kind.empty());
+  EXPECT_FALSE(dataset::load_instances(scene("scene2") / "truth" / "instances.tsv").back().kind.empty());
+}
+
+TEST_F(Dataset, TheSameSeedGivesTheSameBytesAndWhatIsThereIsNotMadeAgain) {
+  const auto before = files_of(folder->path() / "data");
+  const auto kept = fs::last_write_time(scene("scene1") / "rgb.txt");
+  fs::remove_all(scene("scene2"));
+  fs::create_directories(scene(".scene2.making") / "rgb");  // of a run that was killed
+  const Ended again = make(folder->path(), "data", {"--quiet"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(again.err + again.out, "");
+  EXPECT_EQ(fs::last_write_time(scene("scene1") / "rgb.txt"), kept);
+  const auto after = files_of(folder->path() / "data");
+  ASSERT_EQ(after.size(), before.size());
+  for (const auto& [name, bytes] : before) EXPECT_TRUE(after.contains(name) && after.at(name) == bytes) << name;
+}
+
+TEST_F(Dataset, AnotherDataSetIsNotMixedIn) {
+  const Ended other = make(folder->path(), "data", {"--seed", "2"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("dataset.yaml: made with another seed"), std::string::npos) << other.err;
+  const Ended unknown = test::run({"dataset", "make", "--out", "x", "--rooms", "office_desc"}, folder->path());
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("did you mean 'office_desk'?"), std::string::npos) << unknown.err;
+  EXPECT_FALSE(fs::exists(folder->path() / "x"));
+}
+
+/// A cloud of what a few frames saw is a reconstruction, too.
+TEST_F(Dataset, AReconstructionIsAnnotatedInTheLayoutOfFullRooms) {
+  const auto recording = dataset::open_recording(scene("scene2"));
+  dataset::CloudFile cloud;
+  for (std::size_t i = 0; i < recording->size(); i += 5) {
+    const dataset::PosedFrame posed = recording->load(i);
+    const CameraIntrinsics& camera = posed.frame.intrinsics;
+    for (int v = 0; v < camera.height; v += 4) {
+      for (int u = 0; u < camera.width; u += 4) {
+        const auto pixel = static_cast<std::size_t>(v * camera.width + u);
+        const double z_m = static_cast<double>(posed.frame.depth_m[pixel]);
+        if (!(z_m < 2.0)) continue;
+        const Eigen::Vector3d p((u - camera.cx) / camera.fx * z_m, (v - camera.cy) / camera.fy * z_m, z_m);
+        cloud.mesh.vertices.points.emplace_back((posed.T_map_camera.T * p).cast<float>());
+      }
+    }
+  }
+  dataset::save_cloud(folder->path() / "made.ply", cloud);
+  const Ended ended = test::run({"dataset", "annotate", scene("scene2").string(), "made.ply", "--out", "rooms"},
+                                folder->path());
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const fs::path room = folder->path() / "rooms" / "office_desk";
+  EXPECT_EQ(dataset::load_cloud(room / "scene2.pcd").cloud().points.size(), cloud.cloud().points.size());
+  const fs::path anno = room / "Annotations" / "scene2_GT.anno";
+  const auto objects =
+      dataset::parse_annotations(load_bytes(anno), anno.string(), cloud.cloud().points.size());
+  ASSERT_FALSE(objects.empty());
+  for (const dataset::AnnotatedObject& object : objects) {
+    Eigen::AlignedBox3f box;
+    for (const std::uint32_t i : object.points) box.extend(cloud.cloud().points[i]);
+    EXPECT_LT(box.diagonal().norm(), 0.6F) << object.name;  // not smeared over the room
+  }
+  const Ended none = test::run({"dataset", "annotate", ".", "made.ply", "--out", "rooms"}, folder->path());
+  EXPECT_EQ(none.status, 3);
+}
+
+}  // namespace
+}  // namespace amiss
