@@ -1,6 +1,7 @@
 #include "core/params.hpp"
 
 #include "segment/segment.hpp"
+#include "segment/support_planes.hpp"
 
 namespace amiss::segment {
 
@@ -20,6 +21,14 @@ void describe(ParamTable& table, Params& p) {
   table.number("segment.max_base", p.max_base_m, "m", 0.01, 1.0, "height at which a segment begins");
   table.number("segment.max_height", p.max_height_m, "m", 0.1, 3.0, "height of a segment");
   table.number("segment.max_size", p.max_size_m, "m", 0.05, 5.0, "horizontal extent of a segment");
+}
+
+void describe(ParamTable& table, SupportPlaneParams& p) {
+  table.number("planes.distance", p.distance_m, "m", 0.001, 0.05, "of points that belong to a plane (tau_r_dist)");
+  table.number("planes.max_tilt", p.max_tilt_rad, "deg", 0.0, 30.0, "of a plane (tau_r_angle)");
+  table.number("planes.max_normal_tilt", p.max_normal_tilt_rad, "deg", 1.0, 60.0, "of the normal of a plane's point");
+  table.number("planes.cluster_distance", p.cluster_distance_m, "m", 0.005, 0.2, "proximity of points of one surface");
+  table.number("planes.min_area", p.min_area_m2, "m2", 0.001, 10.0, "of a plane");
 }
 
 }  // namespace amiss::segment
