@@ -1,7 +1,7 @@
 // One function for each subcommand: declares its options and sets the exit status when it ran.
-// 0 done and the goal met; 1 ran to its end, goal not met; 2 wrong arguments or parameters; 3 an input that cannot be
-// read; 4 the program failed (scenario only); 130 interrupted.
 #pragma once
+
+#include <array>
 
 namespace CLI {
 class App;
@@ -11,6 +11,19 @@ namespace amiss::app {
 
 inline constexpr int kGoalMet = 0, kGoalNotMet = 1, kWrongArguments = 2, kUnreadableInput = 3, kProgramFailed = 4,
                      kInterrupted = 130;
+
+struct ExitStatus {
+  int value;
+  const char* meaning;
+};
+inline constexpr std::array kExitStatuses{
+    ExitStatus{kGoalMet, "done and the goal met"},
+    ExitStatus{kGoalNotMet, "ran to its end, goal not met"},
+    ExitStatus{kWrongArguments, "wrong arguments or parameters"},
+    ExitStatus{kUnreadableInput, "an input that cannot be read"},
+    ExitStatus{kProgramFailed, "the program failed (scenario only)"},
+    ExitStatus{kInterrupted, "interrupted"},
+};
 
 void add_tidy_command(CLI::App& app, int& exit_status);
 void add_experiment_command(CLI::App& app, int& exit_status);
@@ -22,5 +35,9 @@ void add_scenario_command(CLI::App& app, int& exit_status);
 void add_view_command(CLI::App& app, int& exit_status);
 void add_worlds_command(CLI::App& app, int& exit_status);
 void add_objects_command(CLI::App& app, int& exit_status);
+void add_init_command(CLI::App& app, int& exit_status);
+void add_doctor_command(CLI::App& app, int& exit_status);
+void add_completion_command(CLI::App& app, int& exit_status);
+void add_man_command(CLI::App& app, int& exit_status);
 
 }  // namespace amiss::app

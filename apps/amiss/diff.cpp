@@ -80,9 +80,14 @@ void print_table(const Result& result) {
 void add_diff_command(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand("diff", "Regions of interest between two OctoMap files");
-  command->add_option("REFERENCE", arguments->reference, "OctoMap of how it was (.ot, .bt)")->required();
-  command->add_option("CURRENT", arguments->current, "OctoMap of how it is now (.ot, .bt)")->required();
-  command->add_option("--grid", arguments->grid, "map.yaml of the floor; voxels over its obstacles are dropped");
+  command->add_option("REFERENCE", arguments->reference, "OctoMap of how it was (.ot, .bt)")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("CURRENT", arguments->current, "OctoMap of how it is now (.ot, .bt)")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--grid", arguments->grid, "map.yaml of the floor; voxels over its obstacles are dropped")
+      ->type_name("FILE");
   command->add_option("--dilate", arguments->dilate, "grow the reference by so many voxels in x and y")
       ->check(CLI::Range(0, 5));
   command->add_flag("--json", arguments->json, "print JSON on standard output");

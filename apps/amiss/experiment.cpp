@@ -22,7 +22,7 @@ struct Arguments {
 
 void add_plan(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status) {
   CLI::App* plan = experiment.add_subcommand("plan", "the trials, their ids, how long it will take");
-  plan->add_option("SPEC", a->spec, "YAML file of the experiment")->required();
+  plan->add_option("SPEC", a->spec, "YAML file of the experiment")->type_name("FILE")->required();
   plan->add_option("-j,--jobs", a->options.jobs, "trials at a time")->check(CLI::Range(1, 1024))->capture_default_str();
   plan->callback([a, &exit_status] { exit_status = plan_experiment(a->spec, a->options.jobs); });
 }
@@ -30,8 +30,8 @@ void add_plan(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& ex
 void add_run(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status) {
   ExperimentOptions& o = a->options;
   CLI::App* run = experiment.add_subcommand("run", "do what has no result yet");
-  run->add_option("SPEC", a->spec, "YAML file of the experiment")->required();
-  run->add_option("--out", o.out, "its folder; one that was begun is taken up again [runs/SPEC]");
+  run->add_option("SPEC", a->spec, "YAML file of the experiment")->type_name("FILE")->required();
+  run->add_option("--out", o.out, "its folder; one that was begun is taken up again [runs/SPEC]")->type_name("DIR");
   run->add_option("-j,--jobs", o.jobs, "trials at a time")->check(CLI::Range(1, 1024))->capture_default_str();
   run->add_flag("--retry-failed", o.retry_failed, "also do again what failed");
   run->callback([a, &exit_status] { exit_status = run_experiment(a->spec, a->options); });
@@ -40,7 +40,7 @@ void add_run(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exi
 void add_on_folder(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status, const char* name,
                    const char* what, int (*act)(const std::filesystem::path&)) {
   CLI::App* command = experiment.add_subcommand(name, what);
-  command->add_option("DIR", a->folder, "folder of the experiment")->required();
+  command->add_option("DIR", a->folder, "folder of the experiment")->type_name("DIR")->required();
   command->callback([a, &exit_status, act] { exit_status = act(a->folder); });
 }
 
@@ -53,7 +53,7 @@ void add_experiment_command(CLI::App& app, int& exit_status) {
   add_plan(*experiment, a, exit_status);
   add_run(*experiment, a, exit_status);
   CLI::App* work = experiment->add_subcommand("work", "do these trials here: what the tasks of a cluster call");
-  work->add_option("DIR", a->folder, "folder of the experiment")->required();
+  work->add_option("DIR", a->folder, "folder of the experiment")->type_name("DIR")->required();
   work->add_option("ID", a->ids, "of the trials")->required();
   work->callback([a, &exit_status] { exit_status = work_on_experiment(a->folder, a->ids); });
   add_on_folder(*experiment, a, exit_status, "status", "what is done, failed and missing", show_experiment);

@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
+#include "command_tree.hpp"
 #include "commands.hpp"
 #include "core/params.hpp"
 #include "core/result.hpp"
@@ -9,17 +11,27 @@ namespace {
 
 using namespace amiss::app;
 
-/// CLI11 lists what is missing; a mistyped subcommand gets the nearest one as well.
+/// The nearest of what is declared to the first word that is not.
 std::string hint(const CLI::App& app, int argc, char** argv) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(sub->get_name());
+  Command here = command_tree(app);
   for (int i = 1; i < argc; ++i) {
-    const std::string_view word(argv[i]);
-    if (word.starts_with('-')) continue;
-    if (std::find(names.begin(), names.end(), word) != names.end()) return "";
-    const std::string near = amiss::nearest_word(word, names);
-    return near.empty() ? std::string() : "; did you mean '" + near + "'?";
+    std::string word(argv[i]);
+    std::vector<std::string> known;
+    if (word.starts_with("--")) {
+      word = word.substr(0, word.find('='));
+      for (const CommandOption& option : here.options)
+        known.insert(known.end(), option.names.begin(), option.names.end());
+    } else if (!here.subcommands.empty()) {
+      for (const Command& sub : here.subcommands) known.push_back(sub.name);
+    }
+    if (known.empty()) continue;
+    const auto found = std::find(known.begin(), known.end(), word);
+    if (found == known.end()) {
+      const std::string near = amiss::nearest_word(word, known);
+      return near.empty() ? std::string() : "; did you mean '" + near + "'?";
+    }
+    if (word.starts_with("--")) continue;
+    here = Command(here.subcommands[static_cast<std::size_t>(found - known.begin())]);
   }
   return {};
 }
@@ -39,6 +51,10 @@ int run(int argc, char** argv) {
   add_view_command(app, exit_status);
   add_worlds_command(app, exit_status);
   add_objects_command(app, exit_status);
+  add_init_command(app, exit_status);
+  add_doctor_command(app, exit_status);
+  add_completion_command(app, exit_status);
+  add_man_command(app, exit_status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {

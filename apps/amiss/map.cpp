@@ -95,13 +95,14 @@ int run(const MapArguments& a) {
 void add_map_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<MapArguments>();
   CLI::App* map = app.add_subcommand("map", "the one-time mapping run that makes the reference of a world");
-  map->add_option("--world", a->world, "name (see `amiss worlds`) or SDF file")->required();
+  map->add_option("--world", a->world, "name (see `amiss worlds`) or SDF file")->type_name("WORLD")->required();
   map->add_option("--seed", a->seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
-  map->add_option("--out", a->out, "run folder [runs/map-WORLD]");
-  map->add_option("--params", a->params_file, "YAML file of parameters");
-  map->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated");
-  map->add_option("--robot", a->robot, "URDF file of another robot");
-  map->add_option("--model-path", a->model_paths, "folder searched for model:// names; may be repeated");
+  map->add_option("--out", a->out, "run folder [runs/map-WORLD]")->type_name("DIR");
+  map->add_option("--params", a->params_file, "YAML file of parameters")->type_name("FILE");
+  map->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated")->type_name("KEY=VALUE");
+  map->add_option("--robot", a->robot, "URDF file of another robot")->type_name("FILE");
+  map->add_option("--model-path", a->model_paths, "folder searched for model:// names; may be repeated")
+      ->type_name("DIR");
   map->add_option("--start", a->start, "where the robot begins: X,Y,HEADING of the world in m and degrees")
       ->delimiter(',')
       ->expected(3)

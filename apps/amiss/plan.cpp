@@ -80,9 +80,9 @@ int find(const Arguments& arguments, const plan::Domain& domain, const plan::Pro
 void add_plan_command(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand("plan", "Solve a PDDL problem, or validate a plan for it");
-  command->add_option("DOMAIN", arguments->domain, "PDDL domain")->required();
-  command->add_option("PROBLEM", arguments->problem, "PDDL problem for that domain")->required();
-  command->add_option("--validate", arguments->plan, "check this plan instead of making one");
+  command->add_option("DOMAIN", arguments->domain, "PDDL domain")->type_name("FILE")->required();
+  command->add_option("PROBLEM", arguments->problem, "PDDL problem for that domain")->type_name("FILE")->required();
+  command->add_option("--validate", arguments->plan, "check this plan instead of making one")->type_name("FILE");
   command->add_flag("--json", arguments->json, "print JSON on standard output");
   command->callback([arguments, &exit_status] {
     const plan::Domain domain = plan::load_domain(arguments->domain);

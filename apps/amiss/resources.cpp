@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 Resources in_folder(const fs::path& share, const fs::path& top) {
-  return {top / "sim_worlds", top / "robot_model" / "hsr.urdf", share / "objects", share / "pddl", share / "scenarios"};
+  return {top / "sim_worlds", top / "robot_model" / "hsr.urdf", share / "objects", share / "pddl", share / "scenarios",
+          share / "init"};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace amiss::app {
 
 struct Resources {
-  std::filesystem::path worlds, robot, objects, pddl, scenarios;
+  std::filesystem::path worlds, robot, objects, pddl, scenarios, init;
 };
 [[nodiscard]] Resources find_resources();
 
@@ -21,7 +21,8 @@ struct Resources {
 [[nodiscard]] std::string own_program();
 /// For children that must be the same program even when that file was replaced by a newer one since.
 inline constexpr const char* kRunningProgram = "/proc/self/exe";
-/// A hash of the executable that is running: 20 hex digits. It tells two builds apart, not two sets of shared libraries.
+/// A hash of the executable that is running: 20 hex digits. It tells two builds apart, not two sets of shared
+/// libraries.
 [[nodiscard]] std::string program_hash();
 
 /// Of the user: $XDG_CACHE_HOME/amiss, ~/.cache/amiss, or a folder in the temporary one.

@@ -142,13 +142,13 @@ int run_files(const Arguments& a) {
 void add_scenario_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("scenario", "scripted runs: what happens meanwhile, and what must come of it");
-  command->add_option("files", a->files, "scenario files, or folders of them")->required();
+  command->add_option("files", a->files, "scenario files, or folders of them")->type_name("FILE")->required();
   command->add_flag("--prove", a->prove, "also break each scenario as its file says, and see that it fails");
-  command->add_option("--junit", a->junit, "write the results to this file, as JUnit XML");
+  command->add_option("--junit", a->junit, "write the results to this file, as JUnit XML")->type_name("FILE");
   command->add_option("-j,--jobs", a->parallel, "runs at the same time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command->add_option("--out", a->out, "keep a log and a floor plan of each run in this folder");
+  command->add_option("--out", a->out, "keep a log and a floor plan of each run in this folder")->type_name("DIR");
   command->add_flag("--quiet", a->quiet, "the exit status alone");
   command->add_option("--child", a->child)->group("");  // what runs one scenario for the others
   command->callback([a, &exit_status] { exit_status = a->child >= -1 ? run_child(*a) : run_files(*a); });

@@ -20,10 +20,14 @@ void add_tidy_command(CLI::App& app, int& exit_status) {
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App* tidy = app.add_subcommand("tidy", "search a flat for what lies on its floor and did not lie there before");
-  tidy->add_option("--world", a->options.world, "name (see `amiss worlds`) or SDF file")->capture_default_str();
-  tidy->add_option("--reference-world", a->options.reference_world, "SDF file of the tidy state, if it is another one");
+  tidy->add_option("--world", a->options.world, "name (see `amiss worlds`) or SDF file")
+      ->type_name("WORLD")
+      ->capture_default_str();
+  tidy->add_option("--reference-world", a->options.reference_world, "SDF file of the tidy state, if it is another one")
+      ->type_name("WORLD");
   tidy->add_option("--objects", a->objects, "how many objects are scattered [5]")->check(CLI::Range(0, 100));
-  tidy->add_option("--scatter", a->options.scatter_file, "YAML file that says what lies where instead");
+  tidy->add_option("--scatter", a->options.scatter_file, "YAML file that says what lies where instead")
+      ->type_name("FILE");
   tidy->add_option("--seed", a->options.seed, "of everything random")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -38,11 +42,12 @@ void add_tidy_command(CLI::App& app, int& exit_status) {
   tidy->add_option("--time-limit", a->options.time_limit_s, "simulated seconds")
       ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str();
-  tidy->add_option("--params", a->params_file, "YAML file of parameters");
-  tidy->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated");
-  tidy->add_option("--out", a->options.out, "run folder [runs/tidy-WORLD-SEED]");
-  tidy->add_option("--robot", a->options.robot, "URDF file of another robot");
-  tidy->add_option("--model-path", a->options.model_paths, "folder searched for model:// names; may be repeated");
+  tidy->add_option("--params", a->params_file, "YAML file of parameters")->type_name("FILE");
+  tidy->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated")->type_name("KEY=VALUE");
+  tidy->add_option("--out", a->options.out, "run folder [runs/tidy-WORLD-SEED]")->type_name("DIR");
+  tidy->add_option("--robot", a->options.robot, "URDF file of another robot")->type_name("FILE");
+  tidy->add_option("--model-path", a->options.model_paths, "folder searched for model:// names; may be repeated")
+      ->type_name("DIR");
   tidy->add_option("--start", a->options.start, "where the robot begins: X,Y,HEADING of the world in m and degrees")
       ->delimiter(',')
       ->expected(3)

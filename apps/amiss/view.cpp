@@ -30,7 +30,7 @@ void add_view_command(CLI::App& app, int& exit_status) {
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App* view = app.add_subcommand("view", "show a run folder in a browser, until interrupted");
-  view->add_option("RUN", a->folder, "run folder of a tidy-up run")->required();
+  view->add_option("RUN", a->folder, "run folder of a tidy-up run")->type_name("DIR")->required();
   add_view_options(*view, a->options, false);
   view->callback([a, &exit_status] {
     show(a->folder, a->options);

@@ -193,6 +193,13 @@ RenderedFrame Renderer::render(const Transform<amiss::World, Camera>& T_world_ca
   return frame;
 }
 
+std::string opengl_version() {
+  internal::GlContext context;
+  const internal::GlScope scope(context);
+  const auto text = [&](unsigned name) { return std::string(reinterpret_cast<const char*>(scope.gl.GetString(name))); };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
 std::vector<Transform<amiss::World, Object>> start_poses(const world::World& world) {
   std::vector<Transform<amiss::World, Object>> poses;
   for (const world::Body& body : world.bodies) poses.push_back(body.pose);

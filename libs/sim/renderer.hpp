@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/frames.hpp"
@@ -35,9 +36,9 @@ struct RenderedFrame {
 };
 
 struct RenderOptions {
-  double near_m = 0.05, far_m = 30.0;   // along z of the camera
+  double near_m = 0.05, far_m = 30.0;        // along z of the camera
   std::span<const std::size_t> hidden = {};  // indices of bodies that are not drawn
-  bool cull = true;                     // skip what lies outside of the frustum; the picture is the same without
+  bool cull = true;                          // skip what lies outside of the frustum; the picture is the same without
 };
 
 class Renderer {
@@ -62,6 +63,9 @@ class Renderer {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Who draws: renderer and version as OpenGL tells them; std::runtime_error as above.
+[[nodiscard]] std::string opengl_version();
 
 /// Where every body starts, in the order of the world.
 [[nodiscard]] std::vector<Transform<amiss::World, Object>> start_poses(const world::World& world);

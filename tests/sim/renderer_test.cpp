@@ -230,5 +230,7 @@ RC_GTEST_PROP(LookAt, TheTargetLiesInTheMiddleAndTheWorldStandsUpright, ()) {
   RC_ASSERT(T.T.linear().col(1).z() < 1e-9);  // y of the picture points down
 }
 
+TEST(Renderer, TellsWhoDraws) { EXPECT_NE(opengl_version().find(", OpenGL "), std::string::npos) << opengl_version(); }
+
 }  // namespace
 }  // namespace amiss::sim

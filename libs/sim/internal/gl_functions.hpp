@@ -53,6 +53,7 @@ namespace amiss::sim::internal {
   X(GETPROGRAMIV, GetProgramiv)                       \
   X(GETSHADERINFOLOG, GetShaderInfoLog)               \
   X(GETSHADERIV, GetShaderiv)                         \
+  X(GETSTRING, GetString)                             \
   X(GETUNIFORMLOCATION, GetUniformLocation)           \
   X(LINKPROGRAM, LinkProgram)                         \
   X(PIXELSTOREI, PixelStorei)                         \
