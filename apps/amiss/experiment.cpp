@@ -58,6 +58,7 @@ void add_experiment_command(CLI::App& app, int& exit_status) {
   work->callback([a, &exit_status] { exit_status = work_on_experiment(a->folder, a->ids); });
   add_on_folder(*experiment, a, exit_status, "status", "what is done, failed and missing", show_experiment);
   add_on_folder(*experiment, a, exit_status, "merge", "the results as tables, and what they say", merge_experiment);
+  add_on_folder(*experiment, a, exit_status, "plot", "figures, and report.html with all of it", plot_experiment);
   add_on_folder(*experiment, a, exit_status, "verify", "whether nothing is lost, doubled or changed",
                 verify_experiment);
 }

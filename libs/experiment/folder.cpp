@@ -68,6 +68,8 @@ Folder Folder::open(const fs::path& path) {
   return {fs::absolute(path), load_spec(spec_of(path)), std::move(trials)};
 }
 
+std::string Folder::spec_text() const { return load_bytes(spec_of(path_)); }
+
 const Trial& Folder::trial(const std::string& id) const {
   const auto found = std::find_if(trials_.begin(), trials_.end(), [&](const Trial& t) { return t.id == id; });
   if (found == trials_.end()) throw ArgumentError(id + ": is no trial of " + path_.string());

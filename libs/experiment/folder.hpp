@@ -25,6 +25,7 @@ class Folder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const Spec& spec() const { return spec_; }
+  [[nodiscard]] std::string spec_text() const;  // as it was written
   [[nodiscard]] const std::vector<Trial>& trials() const { return trials_; }
   [[nodiscard]] const Trial& trial(const std::string& id) const;  // ArgumentError when there is none
 
