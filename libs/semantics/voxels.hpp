@@ -1,0 +1,39 @@
+// A cloud thinned to voxels: what the forest looks at.
+// in: cloud in the map frame [m]     out: one entry for each voxel with a point in it, in the order of first points:
+// means of position, colour (CIE L*a*b* / 100) and normal; for each point its voxel
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+#include "core/frames.hpp"
+#include "semantics/internal/cells.hpp"
+
+namespace amiss::semantics {
+
+struct Voxels {
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  double edge_m = 0.02;
+  std::vector<Eigen::Vector3i> cells;
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> colours;  // zero where the cloud has none
+  std::vector<Eigen::Vector3f> normals;  // unit vectors; zero where the cloud has none or they cancel
+  std::vector<std::uint32_t> of_point;   // kNone for points that are not finite
+  std::unordered_map<std::uint64_t, std::uint32_t, CellHash> index;
+
+  [[nodiscard]] std::size_t size() const { return cells.size(); }
+  [[nodiscard]] std::uint32_t at(const Eigen::Vector3i& cell) const {
+    const auto found = index.find(cell_key(cell));
+    return found == index.end() ? kNone : found->second;
+  }
+};
+
+[[nodiscard]] Voxels voxels_of(const Cloud<Map>& cloud, double edge_m);
+
+/// sRGB -> CIE L*a*b* (D65), each divided by 100.
+[[nodiscard]] Eigen::Vector3f lab_of(const Rgb& colour);
+
+}  // namespace amiss::semantics
