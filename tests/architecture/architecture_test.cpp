@@ -29,6 +29,11 @@ const std::map<std::string, std::string> kTestedBy = {
     // The two halves of one header.
     {"dataset/pcd_file", "dataset/cloud_files_test.cpp"},
     {"dataset/ply_file", "dataset/cloud_files_test.cpp"},
+    // The tables of one header.
+    {"training/seats", "training/furniture_test.cpp"},
+    {"training/storage", "training/furniture_test.cpp"},
+    {"training/decoration", "training/furniture_test.cpp"},
+    {"training/props", "training/furniture_test.cpp"},
     // The planner's tests solve, print and check the same problems.
     {"plan/problem", "plan/problems_test.cpp"},
     {"plan/problem_text", "plan/problems_test.cpp"},
