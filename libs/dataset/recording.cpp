@@ -2,6 +2,8 @@
 
 #include "core/result.hpp"
 #include "dataset/camera_file.hpp"
+#include "dataset/internal/bag_file.hpp"
+#include "dataset/internal/bag_recording.hpp"
 #include "dataset/internal/folder_index.hpp"
 #include "dataset/internal/images.hpp"
 
@@ -86,7 +88,8 @@ std::unique_ptr<Recording> open_folder(const fs::path& folder, const RecordingOp
 std::unique_ptr<Recording> open_recording(const fs::path& path, const RecordingOptions& options) {
   if (!fs::exists(path)) throw InputError(path.string() + ": there is no such file or folder");
   if (!fs::is_directory(path)) {
-    throw InputError(path.string() + ": is no recording that is known; a folder is needed");
+    if (BagFile::is_bag(path)) return open_bag(path, options);
+    throw InputError(path.string() + ": is no recording that is known; a ROS 1 bag or a folder is needed");
   }
   return open_folder(path, options);
 }

@@ -9,7 +9,9 @@
 //               where there is an estimated.txt beside groundtruth.txt, the poses are taken from it
 //   7-Scenes    frame-N.color.{png,jpg}, frame-N.depth.png, frame-N.pose.txt (4 x 4)
 //   Open3D      color/ or image/ and depth/ with N.{png,jpg}, trajectory.log (the k-th entry is of the k-th depth)
-// None of them says what the camera is. `camera.yaml` in the folder does (see camera_file.hpp), options overrule it.
+// None of these says what the camera is. `camera.yaml` in the folder does (see camera_file.hpp), options overrule it.
+// A file is a ROS 1 bag (2.0; plain, bz2 or lz4): sensor_msgs/Image of colour and registered depth, CameraInfo beside the
+// depth, poses from /tf and /tf_static at the depth image's time.
 // Errors: InputError naming file and line; nothing is loaded that does not fit (sizes, poses that are no rigid motion).
 #pragma once
 
@@ -30,6 +32,8 @@ struct PosedFrame {
 struct RecordingOptions {
   std::optional<CameraIntrinsics> intrinsics;  // width and height are taken from the images
   std::optional<double> depth_scale;           // units of the depth images for a metre: 1000 for mm, TUM's is 5000
+  std::string colour_topic = {}, depth_topic = {};  // of a bag; empty: the HSR's, else the only one of its kind
+  std::string map_frame = "map";               // of a bag: in which the poses are
 };
 
 class Recording {

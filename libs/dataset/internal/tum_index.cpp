@@ -39,21 +39,16 @@ struct Pair {
   StampedFile colour, depth;
 };
 
-/// For each colour image the nearest depth image; each is used once, as in TUM's associate.py.
-std::vector<Pair> associated(std::vector<StampedFile> colour, std::vector<StampedFile> depth) {
-  const auto earlier = [](const StampedFile& a, const StampedFile& b) { return a.stamp < b.stamp; };
-  std::sort(colour.begin(), colour.end(), earlier);
-  std::sort(depth.begin(), depth.end(), earlier);
+std::vector<Pair> paired(std::vector<StampedFile> colour, std::vector<StampedFile> depth) {
+  const auto sorted_stamps = [](std::vector<StampedFile>& files) {
+    std::sort(files.begin(), files.end(), [](const StampedFile& a, const StampedFile& b) { return a.stamp < b.stamp; });
+    std::vector<Stamp> stamps;
+    for (const StampedFile& file : files) stamps.push_back(file.stamp);
+    return stamps;
+  };
+  const std::vector<Stamp> colour_at = sorted_stamps(colour), depth_at = sorted_stamps(depth);
   std::vector<Pair> pairs;
-  std::size_t next = 0;
-  const auto apart = [](Stamp a, Stamp b) { return std::abs(seconds(a - b)); };
-  for (const StampedFile& c : colour) {
-    while (next + 1 < depth.size() && apart(depth[next + 1].stamp, c.stamp) <= apart(depth[next].stamp, c.stamp))
-      ++next;
-    if (next >= depth.size() || apart(depth[next].stamp, c.stamp) > kMaxColourDepthS) continue;
-    pairs.push_back({c, depth[next]});
-    ++next;
-  }
+  for (const auto& [c, d] : associated(colour_at, depth_at)) pairs.push_back({colour[c], depth[d]});
   return pairs;
 }
 
@@ -61,7 +56,7 @@ std::vector<Pair> load_pairs(const std::filesystem::path& folder, std::size_t& c
   if (!std::filesystem::exists(folder / "associations.txt")) {
     std::vector<StampedFile> colour = load_list(folder, "rgb.txt", false);
     colour_images = colour.size();
-    return associated(std::move(colour), load_list(folder, "depth.txt", false));
+    return paired(std::move(colour), load_list(folder, "depth.txt", false));
   }
   const std::vector<StampedFile> files = load_list(folder, "associations.txt", true);
   std::vector<Pair> pairs;
@@ -71,6 +66,28 @@ std::vector<Pair> load_pairs(const std::filesystem::path& folder, std::size_t& c
 }
 
 }  // namespace
+
+std::vector<std::pair<std::size_t, std::size_t>> associated(const std::vector<Stamp>& colour,
+                                                            const std::vector<Stamp>& depth) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::size_t next = 0;
+  const auto apart = [](Stamp a, Stamp b) { return std::abs(seconds(a - b)); };
+  for (std::size_t c = 0; c < colour.size(); ++c) {
+    while (next + 1 < depth.size() && apart(depth[next + 1], colour[c]) <= apart(depth[next], colour[c])) ++next;
+    if (next >= depth.size() || apart(depth[next], colour[c]) > kMaxColourDepthS) continue;
+    pairs.emplace_back(c, next);
+    ++next;
+  }
+  return pairs;
+}
+
+Eigen::Isometry3d between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double part) {
+  const Eigen::Quaterniond q_a(a.linear()), q_b(b.linear());
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = q_a.slerp(part, q_b).normalized().toRotationMatrix();
+  result.translation() = (1.0 - part) * a.translation() + part * b.translation();
+  return result;
+}
 
 std::optional<Transform<Map, Camera>> pose_at(const std::vector<StampedPose>& poses, Stamp stamp) {
   const auto after = std::lower_bound(poses.begin(), poses.end(), stamp,
@@ -82,12 +99,7 @@ std::optional<Transform<Map, Camera>> pose_at(const std::vector<StampedPose>& po
   const StampedPose& b = *after;
   const double gap_s = seconds(b.stamp - a.stamp);
   if (gap_s > kMaxPoseGapS) return std::nullopt;
-  const double part = seconds(stamp - a.stamp) / gap_s;
-  const Eigen::Quaterniond q_a(a.T_map_camera.T.linear()), q_b(b.T_map_camera.T.linear());
-  Transform<Map, Camera> between;
-  between.T.linear() = q_a.slerp(part, q_b).normalized().toRotationMatrix();
-  between.T.translation() = (1.0 - part) * a.T_map_camera.position() + part * b.T_map_camera.position();
-  return between;
+  return Transform<Map, Camera>{between(a.T_map_camera.T, b.T_map_camera.T, seconds(stamp - a.stamp) / gap_s)};
 }
 
 bool is_tum_folder(const std::filesystem::path& folder) {

@@ -1,0 +1,122 @@
+#include "dataset/bag_writer.hpp"
+
+#include <bzlib.h>
+#include <ros/serialization.h>
+#include <roslz4/lz4s.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace amiss::test {
+namespace {
+
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+std::string little(std::size_t value) {
+  const auto number = static_cast<std::uint32_t>(value);
+  std::string bytes(4, '\0');
+  std::memcpy(bytes.data(), &number, 4);
+  return bytes;
+}
+
+std::string fields(const Fields& all) {
+  std::string bytes;
+  for (const auto& [name, value] : all) {
+    bytes.append(little(name.size() + 1 + value.size())).append(name).append("=").append(value);
+  }
+  return bytes;
+}
+
+std::string record(const Fields& header, const std::string& data) {
+  const std::string head = fields(header);
+  return little(head.size()) + head + little(data.size()) + data;
+}
+
+template <class Message>
+std::string serialized(const Message& message) {
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+BagWriter::BagWriter(std::string compression) : compression_(std::move(compression)) {
+  bytes_ = "#ROSBAG V2.0\n" + record({{"op", "\x03"}, {"index_pos", std::string(8, '\0')}}, std::string(200, ' '));
+}
+
+template <class Message>
+void BagWriter::add(const std::string& topic, const Message& message) {
+  namespace traits = ros::message_traits;
+  std::string chunk;
+  if (connections_.count(topic) == 0) {
+    const auto number = static_cast<std::uint32_t>(connections_.size());
+    connections_[topic] = number;
+    chunk += record({{"op", "\x07"}, {"conn", little(number)}, {"topic", topic}},
+                    fields({{"topic", topic},
+                            {"type", traits::DataType<Message>::value()},
+                            {"md5sum", traits::MD5Sum<Message>::value()},
+                            {"message_definition", traits::Definition<Message>::value()}}));
+  }
+  chunk += record({{"op", "\x02"}, {"conn", little(connections_[topic])}, {"time", std::string(8, '\0')}},
+                  serialized(message));
+  bytes_ += record({{"op", "\x05"}, {"compression", compression_}, {"size", little(chunk.size())}}, packed(chunk));
+  bytes_ += record({{"op", "\x04"}, {"ver", little(1)}, {"conn", little(0)}, {"count", little(0)}}, "");
+}
+
+std::string BagWriter::packed(std::string chunk) const {
+  if (compression_ != "lz4" && compression_ != "bz2") return chunk;
+  std::string out(2 * chunk.size() + 4096, '\0');
+  auto size = static_cast<unsigned>(out.size());
+  if (compression_ == "lz4") {
+    roslz4_buffToBuffCompress(chunk.data(), static_cast<unsigned>(chunk.size()), out.data(), &size, 6);
+  } else {
+    BZ2_bzBuffToBuffCompress(out.data(), &size, chunk.data(), static_cast<unsigned>(chunk.size()), 9, 0, 30);
+  }
+  out.resize(size);
+  return out;
+}
+
+void BagWriter::write(const std::string& topic, const BagImage& image) {
+  sensor_msgs::Image message;
+  message.header.stamp = ros::Time(image.stamp_s);
+  message.header.frame_id = image.frame;
+  message.width = image.width;
+  message.height = image.height;
+  message.encoding = image.encoding;
+  message.step = image.step;
+  message.data = image.data;
+  add(topic, message);
+}
+
+void BagWriter::write(const std::string& topic, const BagTransform& transform) {
+  geometry_msgs::TransformStamped one;
+  one.header.stamp = ros::Time(transform.stamp_s);
+  one.header.frame_id = transform.parent;
+  one.child_frame_id = transform.child;
+  one.transform.translation.x = transform.x_m;
+  one.transform.rotation.z = std::sin(transform.yaw_rad / 2.0);
+  one.transform.rotation.w = std::cos(transform.yaw_rad / 2.0);
+  tf2_msgs::TFMessage message;
+  message.transforms.push_back(one);
+  add(topic, message);
+}
+
+void BagWriter::write(const std::string& topic, const BagCamera& camera) {
+  sensor_msgs::CameraInfo message;
+  message.width = camera.width;
+  message.height = camera.height;
+  message.D = {0.1, 0.2};
+  message.K[0] = message.K[4] = camera.k_fx;
+  message.P[0] = camera.p_fx;
+  message.P[5] = camera.p_fy;
+  message.P[2] = camera.p_cx;
+  message.P[6] = camera.p_cy;
+  add(topic, message);
+}
+
+}  // namespace amiss::test
