@@ -22,7 +22,7 @@ struct RefinementParams {
   bool planar = true;  // a robot on a floor: only x, y and heading are in doubt
   int pixel_step = 8;
   int iterations = 15;
-  double expected_shift_m = 0.03, expected_turn_rad = radians(1.0);  // standard deviations of the expected pose
+  double expected_shift_m = 0.01, expected_turn_rad = radians(0.5);  // standard deviations of the expected pose
   double max_shift_m = 0.10, max_turn_rad = radians(4.0);            // beyond these the result is not believed
   double min_overlap = 0.3;                                          // of the points that must lie on the model
   double max_rms_voxels = 1.0;                                       // of their distances to it

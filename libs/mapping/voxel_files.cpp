@@ -59,8 +59,21 @@ std::string voxel_map_bytes(const VoxelMap& map, VoxelFormat format) {
   octomap::OcTree tree = octree_of(map);
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  const bool written = format == VoxelFormat::kOt ? tree.write(out) : tree.writeBinary(out);
-  if (!written || !out) throw std::runtime_error("octree: OctoMap could not write it");
+  const bool binary = format == VoxelFormat::kBt;
+  if (binary) {
+    tree.toMaxLikelihood();
+    tree.prune();
+  }
+  // As OctoMap's write and writeBinary do it, which print besides.
+  out << "# Octomap OcTree " << (binary ? "binary " : "")
+      << "file\n# (feel free to add / change comments, but leave the first line as it is!)\n#\nid "
+      << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution() << "\ndata\n";
+  if (binary) {
+    tree.writeBinaryData(out);
+  } else {
+    tree.writeData(out);
+  }
+  if (!out) throw std::runtime_error("octree: OctoMap could not write it");
   return out.str();
 }
 

@@ -34,6 +34,8 @@ RefinementParams params_of(bool planar) {
   RefinementParams params;
   params.planar = planar;
   params.pixel_step = 2;  // of a quarter of the pixels
+  params.expected_shift_m = 0.03;
+  params.expected_turn_rad = radians(1.0);
   return params;
 }
 
