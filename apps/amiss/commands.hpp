@@ -31,6 +31,7 @@ void add_dataset_command(CLI::App& app, int& exit_status);
 void add_map_command(CLI::App& app, int& exit_status);
 void add_diff_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);
+void add_reconstruct_command(CLI::App& app, int& exit_status);
 void add_scenario_command(CLI::App& app, int& exit_status);
 void add_view_command(CLI::App& app, int& exit_status);
 void add_worlds_command(CLI::App& app, int& exit_status);

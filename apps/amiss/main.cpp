@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   add_map_command(app, exit_status);
   add_diff_command(app, exit_status);
   add_plan_command(app, exit_status);
+  add_reconstruct_command(app, exit_status);
   add_scenario_command(app, exit_status);
   add_view_command(app, exit_status);
   add_worlds_command(app, exit_status);

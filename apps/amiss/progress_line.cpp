@@ -20,6 +20,14 @@ void ProgressLine::show(const mission::ProgressEvent& event, const std::string& 
   dirty_ = true;
 }
 
+void ProgressLine::show(const std::string& line) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!on_ || now - shown_at_ < std::chrono::milliseconds(500)) return;
+  shown_at_ = now;
+  std::cerr << "\r\033[K" << line << std::flush;
+  dirty_ = true;
+}
+
 void ProgressLine::clear() {
   if (dirty_) std::cerr << "\r\033[K" << std::flush;
   dirty_ = false;
