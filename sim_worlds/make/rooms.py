@@ -101,11 +101,11 @@ def living_area():
     world.put("sofa_plain", 0.50, 2.20, 0)
     _on(world, 0.50, 2.20, 0.44, 0, ("cushion_mustard", -0.06, 0.64, -12), ("cushion_linen", -0.05, 0.20, -4),
         ("cushion_green", -0.06, -0.66, 14))
-    world.put("table_coffee_plain", 1.80, 2.20, 0)
-    world.put("rug_living", 1.75, 2.20, 90)
-    _on(world, 1.80, 2.20, 0.42, 0, ("book_pile", -0.05, 0.36, 15))
-    world.put("armchair_green", 2.15, 0.65, 95)
-    world.put("armchair_green", 2.25, deep - 0.62, -100)
+    world.put("table_coffee_plain", 2.05, 2.35, 0)  # the robot passes between it, the sofa and the first armchair
+    world.put("rug_living", 1.90, 2.20, 90)
+    _on(world, 2.05, 2.35, 0.42, 0, ("book_pile", -0.05, 0.36, 15))
+    world.put("armchair_green", 2.50, 0.53, 95)
+    world.put("armchair_green", 2.40, deep - 0.55, -100)
     world.put("lamp_floor", 0.38, 0.62)
     world.put("plant_tall", 0.44, deep - 0.46, 50)
     world.put("tv_board", wide - 0.24, 1.95, 180)
