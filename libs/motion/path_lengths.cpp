@@ -20,22 +20,29 @@ PathLengths::PathLengths(const DriveMap& map, const Eigen::Vector2d& from_map, d
   field_ = internal::search(map, *start, static_cast<float>(escaped_m), {});
 }
 
-float PathLengths::near(const Eigen::Vector2d& p_map, double tolerance_m) const {
+std::optional<Cell> PathLengths::nearest(const Eigen::Vector2d& p_map, double tolerance_m) const {
   const Cell middle = geometry_.cell_at(p_map);
-  if (to(middle) < kUnreachable) return to(middle);
+  if (to(middle) < kUnreachable) return middle;
   const int reach = static_cast<int>(std::ceil(tolerance_m / geometry_.resolution_m()));
-  float way_m = kUnreachable;
+  std::optional<Cell> best;
   double nearest_m = tolerance_m;
   for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
     for (int x = middle.x - reach; x <= middle.x + reach; ++x) {
       const Cell c{x, y};
       const double d = (geometry_.centre_of(c) - p_map).norm();
-      if (to(c) == kUnreachable || d > nearest_m || (d == nearest_m && to(c) >= way_m)) continue;
+      if (to(c) == kUnreachable || d > nearest_m || (best && d == nearest_m && to(c) >= to(*best))) continue;
       nearest_m = d;
-      way_m = to(c) + static_cast<float>(d);
+      best = c;
     }
   }
-  return way_m;
+  return best;
+}
+
+float PathLengths::near(const Eigen::Vector2d& p_map, double tolerance_m) const {
+  const std::optional<Cell> cell = nearest(p_map, tolerance_m);
+  if (!cell) return kUnreachable;
+  if (*cell == geometry_.cell_at(p_map)) return to(*cell);
+  return to(*cell) + static_cast<float>((geometry_.centre_of(*cell) - p_map).norm());
 }
 
 std::vector<Eigen::Vector2d> PathLengths::way_to(const Eigen::Vector2d& p_map) const {
@@ -49,8 +56,14 @@ std::vector<Eigen::Vector2d> PathLengths::way_to(const Eigen::Vector2d& p_map) c
 std::vector<double> way_matrix(const DriveMap& map, std::span<const Eigen::Vector2d> places_map, double tolerance_m) {
   const std::size_t n = places_map.size();
   std::vector<double> lengths_m(n * n, 0.0);
+  if (n == 0) return lengths_m;
+  const PathLengths from_first(map, places_map[0], tolerance_m);
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    const PathLengths from(map, places_map[i], tolerance_m);
+    PathLengths from = i == 0 ? from_first : PathLengths(map, places_map[i], tolerance_m);
+    const std::optional<Cell> reached = from_first.nearest(places_map[i], tolerance_m);
+    if (reached && from.to(*reached) == PathLengths::kUnreachable) {
+      from = PathLengths(map, map.grid().centre_of(*reached), 0.0);
+    }
     for (std::size_t j = i + 1; j < n; ++j) {
       lengths_m[i * n + j] = static_cast<double>(from.near(places_map[j], tolerance_m));
       lengths_m[j * n + i] = lengths_m[i * n + j];

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,9 @@ class PathLengths {
   [[nodiscard]] float to(Cell c) const {
     return geometry_.contains(c) ? field_.cost_m[geometry_.index(c)] : kUnreachable;
   }
-  /// To the passable cell nearest to the place within `tolerance_m`.
+  /// The cell nearest to the place, within `tolerance_m`, that a way leads to.
+  [[nodiscard]] std::optional<Cell> nearest(const Eigen::Vector2d& p_map, double tolerance_m) const;
+  /// The way to that cell and from there to the place.
   [[nodiscard]] float near(const Eigen::Vector2d& p_map, double tolerance_m) const;
   /// Row-major as the grid of the map; what the functions of `view` call travel_m.
   [[nodiscard]] std::span<const float> field() const { return field_.cost_m; }
@@ -36,7 +39,8 @@ class PathLengths {
 };
 
 /// Way lengths between all places (row-major n x n, symmetric), infinite where there is none; each place may be moved
-/// by `tolerance_m` to where the robot can be.
+/// by `tolerance_m` to where the robot can be, and one that can be reached from the first place is moved to where that
+/// is so, even when there is a nearer pocket that nobody can get into.
 [[nodiscard]] std::vector<double> way_matrix(const DriveMap& map, std::span<const Eigen::Vector2d> places_map,
                                              double tolerance_m = 0.5);
 

@@ -123,7 +123,7 @@ Tour shortest_tour(std::span<const double> lengths_m, std::size_t n) {
     Order order = improver.nearest_neighbour(places, first);
     improver.improve(order);
     const double length = improver.length(order);
-    if (length < best_length - kLeast) {
+    if (best.size() == 1 || length < best_length - kLeast) {
       best = std::move(order);
       best_length = length;
     }

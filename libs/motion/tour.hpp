@@ -11,7 +11,7 @@ namespace amiss::motion {
 
 struct Tour {
   std::vector<std::size_t> order;  // places 1 .. n-1, each once; unreachable ones at the end
-  double length_m = 0.0;           // of the reachable part
+  double length_m = 0.0;           // of the reachable part; infinite when every order has a link without a way
   std::size_t reachable = 0;       // how many of the order can be reached
 };
 

@@ -124,5 +124,20 @@ TEST(WayMatrix, IsSymmetricAndKnowsWhatIsOutOfReach) {
   }
 }
 
+TEST(WayMatrix, PlacesBesideAPocketThatNobodyCanGetIntoStayInReach) {
+  FloorGrid grid = empty_room(7.0, 4.0);
+  fill_rect(grid, 3.0, 0.0, 5.0, 2.0, Occupancy::kOccupied);
+  fill_rect(grid, 3.1, 0.0, 4.9, 1.9, Occupancy::kFree);
+  const DriveMap map(grid, {});
+  const Eigen::Vector2d beside_pocket(3.1, 1.0);
+  const auto nearest = map.nearest_passable(beside_pocket, 0.5);
+  ASSERT_TRUE(nearest.has_value());
+  ASSERT_GT(grid.centre_of(*nearest).x(), 3.1) << "inside the pocket";
+  const auto matrix = way_matrix(map, std::vector<Eigen::Vector2d>{{1.0, 1.0}, beside_pocket, {6.0, 3.0}});
+  for (const double length : matrix) EXPECT_TRUE(std::isfinite(length));
+  EXPECT_GT(matrix[1 * 3 + 2], 3.0);
+  EXPECT_LT(matrix[1 * 3 + 2], matrix[1] + matrix[2]);
+}
+
 }  // namespace
 }  // namespace amiss::motion

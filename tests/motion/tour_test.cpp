@@ -86,6 +86,16 @@ TEST(Tour, PutsUnreachablePlacesLast) {
   EXPECT_DOUBLE_EQ(tour.length_m, 2.0);
 }
 
+TEST(Tour, HoldsEachPlaceEvenWhenNoOrderHasAWay) {
+  const double none = std::numeric_limits<double>::infinity();
+  const std::vector<double> lengths{0, 1, 2, 1, 0, none, 2, none, 0};  // both from the start, none between them
+  Tour tour = shortest_tour(lengths, 3);
+  std::sort(tour.order.begin(), tour.order.end());
+  EXPECT_EQ(tour.order, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(tour.reachable, 2U);
+  EXPECT_EQ(tour.length_m, none);
+}
+
 TEST(Tour, RefusesMatricesThatAreNotSquare) {
   EXPECT_THROW((void)shortest_tour(std::vector<double>(5), 2), ArgumentError);
   EXPECT_THROW((void)shortest_tour({}, 0), ArgumentError);
