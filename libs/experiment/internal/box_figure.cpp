@@ -132,7 +132,7 @@ Figure box_figure(const Spec& spec, const FigureSpec& figure, const std::vector<
       fmt::format("set title {}\nset xlabel 'objects in the environment'\nset ylabel '{}'\n", in_quotes(figure.title),
                   is_time ? "time to find all objects (s, simulated)" : "segmentation actions to find all objects") +
       tics_of(spec) +
-      fmt::format("set xrange [-0.5:{}]\nset yrange [0:{}]\nset key outside bottom center horizontal Left reverse\nset boxwidth {}\n",
+      fmt::format("set xrange [-0.5:{}]\nset yrange [0:{}]\nset key above Left reverse\nset boxwidth {}\n",
                   static_cast<double>(spec.objects.size()) - 0.5, number_text(1.15 * highest),
                   number_text(0.8 * step)) +
       plot_of(figure.name, series);

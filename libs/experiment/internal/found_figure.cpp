@@ -116,7 +116,7 @@ Figure found_figure(const Spec& spec, const FigureSpec& figure, const std::vecto
   const std::size_t columns = panels.size() > 1 ? 2 : 1;
   const std::string script =
       script_head(figure.name) + "set xlabel 'simulated time (s)'\nset ylabel 'objects found'\nset ytics 1\n" +
-      "set key outside bottom center horizontal Left reverse\n" +
+      "set key bottom right opaque\n" +
       fmt::format("set multiplot layout {},{} title {}\n", (panels.size() + columns - 1) / columns, columns,
                   in_quotes(figure.title + ": median and quartiles")) +
       plots + "unset multiplot\n";
