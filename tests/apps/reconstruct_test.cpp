@@ -7,6 +7,7 @@
 #include "dataset/trajectory_files.hpp"
 #include "dataset/tum_writer.hpp"
 #include "mapping/surface_scene.hpp"
+#include "mapping/test_data.hpp"
 #include "mapping/voxel_files.hpp"
 #include "program.hpp"
 
@@ -157,6 +158,28 @@ TEST_F(Reconstruct, ReadsTheLayoutsOfOthers) {
   const double points = report("a")["points"];
   EXPECT_NEAR(report("b")["points"], points, 0.01 * points);
   EXPECT_NEAR(report("c")["points"], points, 0.01 * points);
+}
+
+/// A real kitchen by a camera in the hand (Microsoft's 7-Scenes): its table is flat and 0.699 m high.
+TEST_F(Reconstruct, ARealKitchen) {
+  const fs::path kitchen = mapping::test_data() / "rgbd_redkitchen" / "reference";
+  if (!fs::exists(kitchen)) GTEST_SKIP() << "no " << kitchen;
+  const Ended ended = test::run({"reconstruct", kitchen.string(), "--out", "out", "--voxel", "0.02", "--refine",
+                                 "--set", "refine.planar=false", "--intrinsics", "585,585,320,240"},
+                                folder.path());
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(report("out")["frames"], 84);
+  EXPECT_GT(report("out")["refinement"]["accepted"], 75);
+  const Cloud<Map> cloud = dataset::load_cloud(folder.path() / "out" / "cloud.ply").cloud();
+  std::size_t near = 0, on_table = 0;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const float z = cloud.points[i].z();
+    if (z < 0.64F || z > 0.76F || cloud.normals[i].z() < 0.9F) continue;
+    ++near;
+    on_table += std::abs(z - 0.699F) < 0.02F ? 1U : 0U;
+  }
+  EXPECT_GT(on_table, 1500U) << "0.6 square metres at least";
+  EXPECT_GT(static_cast<double>(on_table), 0.7 * static_cast<double>(near)) << "and things on it";
 }
 
 TEST_F(Reconstruct, RefusesBrokenRecordings) {
