@@ -15,7 +15,7 @@ namespace amiss::app {
 namespace {
 
 struct Arguments {
-  std::string recording, out, method, params_file;
+  std::string recording, out, method, params_file, colour_topic, depth_topic, map_frame = "map";
   std::vector<std::string> overrides;
   std::vector<double> intrinsics;
   double voxel_m = 0.0, depth_scale = 0.0;
@@ -47,6 +47,9 @@ dataset::RecordingOptions camera_of(const Arguments& a) {
     options.intrinsics = camera;
   }
   if (a.depth_scale != 0.0) options.depth_scale = a.depth_scale;
+  options.colour_topic = a.colour_topic;
+  options.depth_topic = a.depth_topic;
+  options.map_frame = a.map_frame;
   return options;
 }
 
@@ -89,7 +92,8 @@ int run(const Arguments& a) {
 void add_reconstruct_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand("reconstruct", "points, triangles and seen space of a recorded room");
-  command->add_option("RECORDING", a->recording, "folder of a recording: TUM RGB-D, 7-Scenes or Open3D")->required();
+  command->add_option("RECORDING", a->recording, "folder of a recording (TUM RGB-D, 7-Scenes or Open3D) or a ROS 1 bag")
+      ->required();
   command->add_option("--out", a->out, "folder to write [runs/reconstruct-RECORDING]");
   command->add_option("--voxel", a->voxel_m, "edge of a voxel in m [0.01]")->check(CLI::Range(0.001, 0.5));
   command->add_option("--method", a->method, "tsdf (default) or octomap");
@@ -102,6 +106,9 @@ void add_reconstruct_command(CLI::App& app, int& exit_status) {
       ->check(CLI::Range(0.0, 1e5));
   command->add_option("--depth-scale", a->depth_scale, "units of the depth images for a metre")
       ->check(CLI::Range(1.0, 1e6));
+  command->add_option("--colour-topic", a->colour_topic, "of a bag [the HSR's, else the only one]");
+  command->add_option("--depth-topic", a->depth_topic, "of a bag [the HSR's, else the only one]");
+  command->add_option("--map-frame", a->map_frame, "of a bag: the frame of its poses")->capture_default_str();
   command->add_option("--params", a->params_file, "YAML file of parameters");
   command->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated");
   command->add_flag("--print-params", a->print_params, "print all parameters as YAML and end");
