@@ -11,6 +11,7 @@
 
 #include "core/result.hpp"
 #include "localize/internal/distance_field.hpp"
+#include "localize/internal/global_search.hpp"
 #include "localize/internal/mrpt_types.hpp"
 
 namespace amiss::localize {
@@ -30,6 +31,11 @@ constexpr double kJumpM = 0.2;  // corrections beyond are applied at once
 constexpr int kLostScans = 10;  // that do not fit in a row, then the particles spread
 constexpr int kMaxSpreads = 5;
 constexpr double kLostSpreadM = 0.3;
+constexpr int kFirstDoubt = 4;        // doubtful scans in a row, then the whole map is searched,
+constexpr int kNextDoubt = 10;        // and again after so many
+constexpr double kMuchBetter = 0.15;  // of a fit, than where the robot believed to be
+constexpr double kUnlike = 0.08;      // of a fit, than the next best place
+constexpr StartSpread kFoundSpread{0.08, radians(3.0)};
 
 mrpt::slam::CMonteCarloLocalization2D make_filter(const FloorGrid& map, const LocalizerParams& params) {
   mrpt::maps::COccupancyGridMap2D::Ptr grid = internal::to_mrpt(map);
@@ -75,6 +81,7 @@ struct Localizer::State {
       : params(p),
         random(std::move(stream)),
         field(map),
+        places(p.relocalize ? internal::places_to_stand(map, field) : std::vector<Eigen::Vector2d>{}),
         grid_origin_map(map.origin_m()),
         filter(make_filter(map, p)),
         sampler(make_sampler()) {}
@@ -82,7 +89,8 @@ struct Localizer::State {
   LocalizerParams params;
   RandomStream random;
   internal::DistanceField field;
-  Eigen::Vector2d grid_origin_map;  // of the filter's frame
+  std::vector<Eigen::Vector2d> places;  // where a robot that was carried away may stand
+  Eigen::Vector2d grid_origin_map;      // of the filter's frame
   mrpt::slam::CMonteCarloLocalization2D filter;
   mrpt::bayes::CParticleFilter sampler;
 
@@ -93,12 +101,16 @@ struct Localizer::State {
   PoseEstimate estimate;
   LocalizationEvidence evidence;
   int misfits = 0, spreads = 0;
+  int doubts = 0;        // scans in a row that fit less than for sure
+  bool checked = false;  // since these began, and no other place fits better
 
   void spread(const Pose2<Map, Base>& around, const StartSpread& deviations);
   Pose2<Map, Base> filtered(const Odometry& odometry, const LaserScan& scan,
                             const Transform<Base, Laser>& T_base_laser);
   void correct(const Odometry& odometry, const LaserScan& scan, const Transform<Base, Laser>& T_base_laser);
   void watch(const Pose2<Map, Base>& pose);
+  void doubt(const Odometry& odometry, const std::vector<Eigen::Vector2d>& points_base);
+  void stand_at(const Pose2<Map, Base>& pose, const Odometry& odometry);
 };
 
 void Localizer::State::spread(const Pose2<Map, Base>& around, const StartSpread& deviations) {
@@ -146,20 +158,46 @@ void Localizer::State::correct(const Odometry& odometry, const LaserScan& scan,
   ++evidence.scans;
 
   const Pose2<Map, Base> predicted = T_map_odom * odometry.T_odom_base;
-  const bool jump = (pose.position() - predicted.position()).norm() > kJumpM;
+  evidence.correction_m = (pose.position() - predicted.position()).norm();
+  evidence.correction_rad = std::abs(wrap_angle(pose.yaw_rad - predicted.yaw_rad));
+  const bool jump = evidence.correction_m > kJumpM;
   const double far = std::max(moved.position().norm() / kFullCorrectionM, std::abs(moved.yaw_rad) / kFullCorrectionRad);
   const double gain = jump || evidence.scans == 1 ? 1.0 : std::clamp(far, kCorrectionGain, 1.0);
   const Pose2<Map, Base> corrected{predicted.x_m + gain * (pose.x_m - predicted.x_m),
                                    predicted.y_m + gain * (pose.y_m - predicted.y_m),
                                    wrap_angle(predicted.yaw_rad + gain * wrap_angle(pose.yaw_rad - predicted.yaw_rad))};
   T_map_odom = corrected * odometry.T_odom_base.inverse();
+  if (params.relocalize) doubt(odometry, points_base);
   watch(pose);
+}
+
+/// Searches the whole map while scans fit less than for sure.
+void Localizer::State::doubt(const Odometry& odometry, const std::vector<Eigen::Vector2d>& points_base) {
+  doubts = evidence.fit >= params.sure_fit ? 0 : doubts + 1;
+  if (doubts == 0) checked = false;
+  if (doubts % kNextDoubt != kFirstDoubt) return;
+  const auto found = internal::best_on_map(field, places, points_base, params.fit_distance_m);
+  checked = found.empty() || found[0].fit < evidence.fit + kMuchBetter;
+  const bool alone = found.size() == 1 || (found.size() > 1 && found[1].fit < found[0].fit - kUnlike);
+  if (checked || !alone || found[0].fit < params.min_fit) return;
+  stand_at(found[0].T_map_base, odometry);
+  evidence.fit = found[0].fit;
+  ++evidence.relocalizations;
+}
+
+void Localizer::State::stand_at(const Pose2<Map, Base>& pose, const Odometry& odometry) {
+  spread(pose, kFoundSpread);
+  T_map_odom = pose * odometry.T_odom_base.inverse();
+  doubts = misfits = spreads = 0;
 }
 
 /// Spreads the particles, wider each time, while scans do not fit.
 void Localizer::State::watch(const Pose2<Map, Base>& pose) {
   const bool fits = evidence.fit >= params.min_fit;
-  estimate.converged = fits && evidence.spread_m <= params.max_spread_m;
+  const bool sure = evidence.fit >= params.sure_fit || checked || !params.relocalize;
+  const bool steady =
+      evidence.correction_m <= params.max_correction_m && evidence.correction_rad <= params.max_correction_rad;
+  estimate.converged = fits && sure && steady && evidence.spread_m <= params.max_spread_m;
   misfits = fits ? 0 : misfits + 1;
   if (fits) spreads = 0;
   if (misfits < kLostScans) return;
@@ -200,6 +238,7 @@ PoseEstimate Localizer::update(const Odometry& odometry, const LaserScan* scan,
 Pose2<Map, Odom> Localizer::T_map_odom() const { return state_->T_map_odom; }
 const PoseEstimate& Localizer::estimate() const { return state_->estimate; }
 const LocalizationEvidence& Localizer::evidence() const { return state_->evidence; }
+bool Localizer::is_sure() const { return state_->evidence.fit >= state_->params.sure_fit; }
 
 void Localizer::relocalize(const Pose2<Map, Base>& around, const StartSpread& spread) {
   State& s = *state_;

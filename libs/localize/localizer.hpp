@@ -1,9 +1,11 @@
 // Where the robot is on a known map: Monte Carlo localization (Thrun, Burgard, Fox, Probabilistic Robotics, 8.3) by
 // MRPT's particle filter with the likelihood field of the map, followed by a few Gauss-Newton steps of the scan on the
 // map's distance field.
+// Where scans and map disagree for some time, the scan is searched on the whole map: a robot that was carried away
+// finds itself again, as soon as one place fits much better than where it believed to be and better than all others.
 // Odometry (50 Hz) moves the pose smoothly; scans correct T_map_odom. Poses in metres and radians, covariance of
-// x [m], y [m], yaw [rad] from the particles. `converged` is false while the particles are wide or the scan does not
-// fit the map.
+// x [m], y [m], yaw [rad] from the particles. `converged` is false while the particles are wide, the scan does not fit
+// the map, or the last scan moved the pose by more than odometry errs.
 // Errors: ArgumentError for a map without an occupied cell or parameters that contradict each other.
 //
 // MRPT draws from one generator for the whole process. update() with a scan seeds it from this localizer's own stream
@@ -30,7 +32,11 @@ struct LocalizerParams {
   double max_spread_m = 0.25;  // of particles that count as converged
   double min_fit = 0.5;        // part of the beams within fit_distance_m of a wall that counts as converged
   double fit_distance_m = 0.15;
-  bool refine = true;  // Gauss-Newton on the distance field after the filter
+  double sure_fit = 0.8;           // below it the pose is believed only when no other place of the map fits better
+  double max_correction_m = 0.04;  // of one scan that counts as converged
+  double max_correction_rad = radians(1.5);
+  bool relocalize = true;  // search the whole map where scans and map disagree
+  bool refine = true;      // Gauss-Newton on the distance field after the filter
 };
 void describe(ParamTable& table, LocalizerParams& p);
 
@@ -45,7 +51,9 @@ struct LocalizationEvidence {
   double spread_m = 0.0;        // standard deviation of the particles' positions
   double fit = 0.0;             // part of the beams that end near a wall of the map, from the estimate
   double effective_part = 0.0;  // effective sample size / particles, before resampling
-  int scans = 0;                // used so far
+  double correction_m = 0.0, correction_rad = 0.0;  // by the last scan, of what odometry had predicted
+  int relocalizations = 0;                          // poses found on the whole map, so far
+  int scans = 0;                                    // used so far
 };
 
 class Localizer {
@@ -63,6 +71,8 @@ class Localizer {
   [[nodiscard]] Pose2<Map, Odom> T_map_odom() const;
   [[nodiscard]] const PoseEstimate& estimate() const;
   [[nodiscard]] const LocalizationEvidence& evidence() const;
+  /// The last scan fits the map where the robot believes to be; unlike `converged` also while scans correct the pose.
+  [[nodiscard]] bool is_sure() const;
 
   /// Spread the particles anew, around a pose.
   void relocalize(const Pose2<Map, Base>& around, const StartSpread& spread);

@@ -18,6 +18,11 @@ void describe(ParamTable& table, LocalizerParams& p) {
   table.number("localize.max_spread", p.max_spread_m, "m", 0.01, 2.0, "spread of particles that count as converged");
   table.number("localize.min_fit", p.min_fit, "1", 0.0, 1.0, "part of the beams that fit a converged pose");
   table.number("localize.fit_distance", p.fit_distance_m, "m", 0.02, 0.5, "distance to a wall of beams that fit");
+  table.number("localize.sure_fit", p.sure_fit, "1", 0.0, 1.0,
+               "part of the beams below which the whole map is searched for a better pose");
+  table.number("localize.max_correction", p.max_correction_m, "m", 0.005, 1.0, "of one scan, of a converged pose");
+  table.number("localize.max_correction_yaw", p.max_correction_rad, "deg", 0.1, 45.0, "the same, turned");
+  table.flag("localize.relocalize", p.relocalize, "search the whole map where scans and map disagree");
   table.flag("localize.refine", p.refine, "Gauss-Newton on the distance field after the filter");
 }
 

@@ -16,12 +16,22 @@ constexpr double kLookAhead = 3.0;       // m of the path that is checked again
 constexpr double kStuckAfter = 4.0;      // s without getting anywhere
 constexpr double kMoved = 0.02;          // m, that is getting somewhere
 constexpr double kTurned = 0.05;         // rad, too
+constexpr double kPatience = 6.0;        // times as long as a drive should take, and
+constexpr double kLeastPatience = 30.0;  // s, then it is given up
+constexpr double kLookRoundRate = 0.5;   // rad/s
 constexpr double kStandsOn = 0.15;       // m round the base's middle: free, though its own sensors never see it
 
 constexpr int kDirections = 32;            // that backing off tries
 constexpr double kBackOff = 0.15;          // m
 constexpr double kBackOffSpeed = 0.1;      // m/s
 constexpr double kWorthBackingOff = 0.03;  // m of clearance gained
+
+DriveReport failure(NavigationError error, std::string why) { return {DriveOutcome::kFailed, error, std::move(why)}; }
+const DriveReport kEnd{DriveOutcome::kEnded, {}, ""};
+
+NavigationError error_of(motion::FollowStatus status) {
+  return status == motion::FollowStatus::kOffPath ? NavigationError::kOffPath : NavigationError::kBlocked;
+}
 
 /// Does the robot get on? Something that no sensor shows may hold it.
 class StuckWatch {
@@ -100,18 +110,26 @@ DriveReport Navigator::drive_to(const Pose2<Map, Base>& goal, double tolerance_m
     refresh();
     const auto planned = motion::plan_path(map_, perception_.pose().T_map_base, goal, planner, random_);
     if (!planned) {
-      report = {DriveOutcome::kFailed, std::string(motion::to_string(planned.why()))};
-      if (!stand(params_.navigator.refresh_s, {0.0, params_.navigator.head_tilt_rad}))
-        return {DriveOutcome::kEnded, ""};
+      report = failure(NavigationError::kNoPath, std::string(motion::to_string(planned.why())));
+      if (!stand(params_.navigator.refresh_s, {0.0, params_.navigator.head_tilt_rad})) return kEnd;
+      if (auto why = trouble()) return *why;
       continue;
     }
     perception_.sinks().path({perception_.now(), &planned->path});
     report = follow(planned->path, pointless);
     if (report.outcome != DriveOutcome::kFailed) return report;
     perception_.sinks().log(perception_.now(), "stopped on the way: " + report.why);
-    if (!back_off()) return {DriveOutcome::kEnded, ""};
+    if (trouble()) return report;
+    if (!back_off()) return kEnd;
   }
   return report;
+}
+
+std::optional<DriveReport> Navigator::trouble() const {
+  const auto now = heeds_trouble_ ? perception_.trouble() : std::nullopt;
+  if (!now) return std::nullopt;
+  const bool lost = now->complaint == Complaint::kLost;
+  return failure(lost ? NavigationError::kLost : NavigationError::kSensorLost, to_string(*now));
 }
 
 bool Navigator::back_off() {
@@ -151,22 +169,26 @@ DriveReport Navigator::follow(motion::Path path, const std::function<bool()>& po
   robot::Command command;
   command.tilt_rad = params_.navigator.head_tilt_rad;
   StuckWatch watch(perception_.pose());
+  const double expected_s = follower_.path().length_m() / params_.follower.speed_m_s;
+  const Stamp until = perception_.now() + duration_of(std::max(kLeastPatience, kPatience * expected_s));
   while (true) {
     const motion::FollowStep next = follower_.step(perception_.pose().T_map_base, map_, hits_base(), kPeriod);
     command.velocity_base_m_s = next.velocity_base_m_s;
     command.yaw_rate_rad_s = next.yaw_rate_rad_s;
-    if (!perception_.step(command)) return {DriveOutcome::kEnded, ""};
-    if (next.status == motion::FollowStatus::kArrived) return {DriveOutcome::kArrived, ""};
+    if (!perception_.step(command)) return kEnd;
+    if (auto why = trouble()) return *why;
+    if (next.status == motion::FollowStatus::kArrived) return {};
     if (next.status != motion::FollowStatus::kDriving) {
-      return {DriveOutcome::kFailed, std::string(motion::to_string(next.status))};
+      return failure(error_of(next.status), std::string(motion::to_string(next.status)));
     }
-    if (watch.stuck(perception_.pose())) return {DriveOutcome::kFailed, "stuck"};
+    if (watch.stuck(perception_.pose())) return failure(NavigationError::kHeld, "stuck");
+    if (perception_.now() > until) return failure(NavigationError::kTimeout, "it takes too long");
     if (perception_.now() < next_refresh_) continue;
-    if (pointless()) return {DriveOutcome::kPointless, ""};
+    if (pointless()) return {DriveOutcome::kPointless, {}, ""};
     refresh();  // after pointless(), which may have set another floor
     const bool blocked_ahead = motion::min_clearance_m(map_, follower_.path(), follower_.travelled_m()) < kMinClearance;
     if (blocked_ahead && next.remaining_m > 0.0 && next.free_ahead_m < kLookAhead) {
-      return {DriveOutcome::kFailed, "blocked ahead"};
+      return failure(NavigationError::kBlocked, "blocked ahead");
     }
   }
 }
@@ -176,14 +198,29 @@ DriveReport Navigator::turn(double angle_rad) {
   command.tilt_rad = params_.navigator.head_tilt_rad;
   double left = angle_rad;
   double yaw = perception_.pose().T_map_base.yaw_rad;
+  const double expected_s = std::abs(angle_rad) / kTurnRate;
+  const Stamp until = perception_.now() + duration_of(std::max(kLeastPatience, kPatience * expected_s));
   while (std::abs(left) > kTurnTolerance) {
     command.yaw_rate_rad_s = std::clamp(left * 2.0, -kTurnRate, kTurnRate);
-    if (!perception_.step(command)) return {DriveOutcome::kEnded, ""};
+    if (!perception_.step(command)) return kEnd;
+    if (auto why = trouble()) return *why;
+    if (perception_.now() > until) return failure(NavigationError::kTimeout, "it takes too long");
     const double now = perception_.pose().T_map_base.yaw_rad;
     left -= wrap_angle(now - yaw);
     yaw = now;
   }
-  return {DriveOutcome::kArrived, ""};
+  return {};
+}
+
+bool Navigator::look_round(double duration_s) {
+  robot::Command command;
+  command.yaw_rate_rad_s = kLookRoundRate;
+  command.tilt_rad = params_.navigator.head_tilt_rad;
+  const Stamp until = perception_.now() + duration_of(duration_s);
+  while (perception_.now() < until) {
+    if (!perception_.step(command)) return false;
+  }
+  return true;
 }
 
 bool Navigator::stand(double duration_s, const robot::HeadState& head) {

@@ -33,7 +33,8 @@ enum class DriveOutcome { kArrived, kPointless, kFailed, kEnded };
 
 struct DriveReport {
   DriveOutcome outcome = DriveOutcome::kArrived;
-  std::string why;  // of a failure
+  NavigationError error = NavigationError::kNoPath;  // of a failure,
+  std::string why;                                   // and in words
 };
 
 class Navigator {
@@ -48,6 +49,11 @@ class Navigator {
   DriveReport turn(double angle_rad);
   /// Stands and looks for a while; false when the mission ended meanwhile.
   bool stand(double duration_s, const robot::HeadState& head);
+  /// Turns slowly for a while, whatever the pose; false when the mission ended meanwhile.
+  bool look_round(double duration_s);
+
+  /// From now on trouble (perception.hpp) ends every drive and turn, as a failure.
+  void heed_trouble() { heeds_trouble_ = true; }
 
   /// The floor changed (mapping run).
   void set_floor(const FloorGrid& floor);
@@ -61,6 +67,7 @@ class Navigator {
   /// Straight away from what is nearer than the robot's radius; false when the mission ended meanwhile.
   bool back_off();
   [[nodiscard]] std::vector<Eigen::Vector2d> hits_base() const;
+  [[nodiscard]] std::optional<DriveReport> trouble() const;
   DriveReport follow(motion::Path path, const std::function<bool()>& pointless);
 
   Perception& perception_;
@@ -70,6 +77,7 @@ class Navigator {
   motion::Follower follower_;
   RandomStream random_;
   Stamp next_refresh_;
+  bool heeds_trouble_ = false;
 };
 
 }  // namespace amiss::mission

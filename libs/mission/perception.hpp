@@ -1,6 +1,7 @@
 // What the robot knows of its surroundings, one control period after the other: observe -> localize -> insert.
 // Commands -> pose in the map frame, voxel map, obstacles, floor seen. All decisions of a mission read from here; none
-// of it knows the truth. Thesis, figure 4.2.
+// of it knows the truth. What arrives late is used with the odometry of its instant; what a sensor says that is not to
+// be believed is left out, and trouble() tells of it. Thesis, figure 4.2.
 #pragma once
 
 #include <future>
@@ -10,6 +11,9 @@
 #include "core/worker.hpp"
 #include "mapping/obstacle_layer.hpp"
 #include "mapping/voxel_map.hpp"
+#include "mission/camera_health.hpp"
+#include "mission/laser_health.hpp"
+#include "mission/odometer.hpp"
 #include "mission/sinks.hpp"
 #include "mission/tracker.hpp"
 #include "robot/model.hpp"
@@ -21,7 +25,8 @@ struct PerceptionParams {
   double floor_clearance_m = 0.012;  // z = 0 of the map above the floor: its noise stays in the voxels under it
   double obstacle_range_m = 4.0;     // of laser hits that count as obstacles
   double time_limit_s = 3600.0;      // simulated; the mission ends there
-  bool threaded = true;              // insert into the voxel map beside the caller; the result is the same
+  HealthParams health;
+  bool threaded = true;  // insert into the voxel map beside the caller; the result is the same
 };
 void describe(ParamTable& table, PerceptionParams& p);
 
@@ -54,6 +59,8 @@ class Perception {
   /// Part of the beams of the last scan that met something.
   [[nodiscard]] double returned_part() const { return returned_part_; }
   [[nodiscard]] Stamp now() const { return pose_.stamp; }
+  /// What keeps the robot from going on, if anything does.
+  [[nodiscard]] std::optional<Trouble> trouble() const;
   [[nodiscard]] bool out_of_time() const { return seconds(now()) >= params_.time_limit_s; }
   [[nodiscard]] double distance_m() const { return distance_m_; }
   [[nodiscard]] const Sinks& sinks() const { return sinks_; }
@@ -63,6 +70,7 @@ class Perception {
 
  private:
   [[nodiscard]] Transform<Map, Camera> camera_pose(const robot::CapturedFrame& captured) const;
+  void locate(const robot::Observation& seen);
   void keep(robot::CapturedFrame captured);
   void join();
 
@@ -74,6 +82,10 @@ class Perception {
   mapping::ObstacleLayer layer_;
   PoseEstimate pose_;
   robot::HeadState head_;
+  Odometer odometer_;
+  LaserHealth laser_;
+  CameraHealth camera_;
+  Stamp localized_;  // last time that the pose was to be believed
   std::optional<Pose2<Odom, Base>> last_odometry_;
   double distance_m_ = 0.0;
   bool bumper_ = false;

@@ -27,7 +27,7 @@ Search::Progress Search::explore(const Visit& visit) {
 Search::Progress Search::examine(const Visit& visit) {
   const Stamp begin = perception_.now();
   const robot::HeadState gaze = gaze_.at(visit.id);
-  if (!look(gaze)) return Progress::kEnded;
+  if (const Progress looked = look(gaze); looked != Progress::kDone) return looked;
   compare();
   const knowledge::Region region = knowledge_.now().regions.at(static_cast<std::size_t>(visit.id - 1));
   if (region.withdrawn || region.examined) return Progress::kReplan;
@@ -51,6 +51,11 @@ Search::Progress Search::failed(const Visit& visit, const std::string& why) {
     if (static_cast<int>(tried.size()) >= params_.search.viewpoints) given_up_.insert(visit.id);
   }
   return Progress::kReplan;
+}
+
+void Search::forget_failures() {
+  given_up_.clear();
+  tried_viewpoints_.clear();
 }
 
 bool Search::compare() {

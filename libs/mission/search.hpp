@@ -26,6 +26,7 @@ class Search : public SearchMethod {
   Progress failed(const Visit& visit, const std::string& why) override;
   bool replan_due() override { return compare_due(); }
   bool is_pointless(const Visit& visit) override;
+  void recovered() override { forget_failures(); }
 
   Progress explore(const Visit& visit);
   Progress examine(const Visit& visit);
@@ -34,6 +35,7 @@ class Search : public SearchMethod {
   std::optional<Visit> viewpoint_of(const knowledge::Region& region, const motion::PathLengths& ways);
   [[nodiscard]] bool is_covered(const view::ViewTriangle& view);
   std::vector<view::ViewTriangle> sample_view_triangles();
+  void forget_failures();  // what was in the way of a region may be gone
 
   Looking looking_ = Looking::kCoarsely;
   change::Differencer differencer_;

@@ -10,6 +10,7 @@ namespace amiss::mission {
 namespace {
 
 constexpr double kViewTolerance = 0.3;  // m that the place of a view triangle may be moved by
+constexpr double kRecoveryStep = 0.2;   // s between two looks at whether a trouble is over
 
 }  // namespace
 
@@ -23,6 +24,10 @@ std::string_view to_string(SearchEnd end) {
       return "time_limit";
     case SearchEnd::kGaveUp:
       return "gave_up";
+    case SearchEnd::kLost:
+      return "lost";
+    case SearchEnd::kSensorLost:
+      return "sensor_lost";
   }
   return "";
 }
@@ -45,6 +50,7 @@ SearchMethod::SearchMethod(robot::Robot& robot, const Reference& reference, know
       domain_(domain),
       triangles_random_(seed, "search/triangles") {
   static_obstacles_.update(reference.mapped);
+  navigator_.heed_trouble();
 }
 
 SearchReport SearchMethod::run() {
@@ -52,6 +58,8 @@ SearchReport SearchMethod::run() {
   if (navigator_.turn(2.0 * std::numbers::pi).outcome == DriveOutcome::kEnded) progress = Progress::kEnded;
   report_.end = SearchEnd::kGaveUp;
   while (progress != Progress::kEnded && report_.plans < params_.search.max_replans) {
+    progress = recover();
+    if (progress == Progress::kEnded) break;
     take_stock();
     std::vector<Visit> visits = open_visits();
     if (visits.empty()) {
@@ -64,13 +72,42 @@ SearchReport SearchMethod::run() {
     const auto plan = make_plan(visits);
     progress = plan ? carry_out(*plan) : wait();
   }
-  if (progress == Progress::kEnded) {
-    report_.end = perception_.out_of_time() ? SearchEnd::kTimeLimit : SearchEnd::kStopped;
-  }
+  if (progress == Progress::kEnded) report_.end = ended_because();
   report_.coverage = coverage();
   report_.distance_m = perception_.distance_m();
   report_.ended = perception_.now();
   return report_;
+}
+
+SearchEnd SearchMethod::ended_because() const {
+  if (given_in_to_) return given_in_to_->complaint == Complaint::kLost ? SearchEnd::kLost : SearchEnd::kSensorLost;
+  return perception_.out_of_time() ? SearchEnd::kTimeLimit : SearchEnd::kStopped;
+}
+
+SearchMethod::Progress SearchMethod::recover() {
+  if (is_well()) return Progress::kReplan;
+  const HealthParams& health = params_.perception.health;
+  std::string told;
+  while (!is_well()) {
+    const auto trouble = perception_.trouble();
+    const bool lost = trouble && trouble->complaint == Complaint::kLost;
+    if (trouble && to_string(*trouble) != told) {
+      told = to_string(*trouble);
+      sinks_.log(perception_.now(), "waits: " + told);
+    }
+    if (trouble &&
+        perception_.now() - trouble->since > duration_of(lost ? health.lost_patience_s : health.patience_s)) {
+      given_in_to_ = trouble;
+      report_.why = told;
+      sinks_.log(perception_.now(), "gives in: " + told);
+      return Progress::kEnded;
+    }
+    const robot::HeadState gaze{0.0, params_.navigation.navigator.head_tilt_rad};
+    if (!(lost ? navigator_.look_round(kRecoveryStep) : navigator_.stand(kRecoveryStep, gaze))) return Progress::kEnded;
+  }
+  if (!told.empty()) sinks_.log(perception_.now(), "goes on");
+  recovered();
+  return Progress::kReplan;
 }
 
 SearchMethod::Progress SearchMethod::carry_out(const VisitPlan& plan) {
@@ -100,7 +137,9 @@ SearchMethod::Progress SearchMethod::go_to(const Visit& visit) {
     case DriveOutcome::kEnded:
       return Progress::kEnded;
     case DriveOutcome::kFailed:
-      return failed(visit, report.why);
+      ++report_.navigation_errors[report.error];
+      // In trouble the goal is not to blame.
+      return is_well() ? failed(visit, report.why) : recover();
   }
   return Progress::kEnded;
 }
@@ -116,11 +155,17 @@ SearchMethod::Progress SearchMethod::failed(const Visit& visit, const std::strin
   return Progress::kReplan;
 }
 
-bool SearchMethod::look(const robot::HeadState& gaze) {
+SearchMethod::Progress SearchMethod::look(const robot::HeadState& gaze) {
   const double turning = std::max(std::abs(gaze.pan_rad - perception_.head().pan_rad),
                                   std::abs(gaze.tilt_rad - perception_.head().tilt_rad));
   const Duration settled = duration_of(turning / perception_.model().limits.head_rad_s + 0.1);
-  return navigator_.stand(seconds(settled) + params_.search.settle_s, gaze);
+  const Stamp from = perception_.now() + settled;
+  if (!navigator_.stand(seconds(settled) + params_.search.settle_s, gaze)) return Progress::kEnded;
+  while (!perception_.last_frame() || perception_.last_frame()->captured.frame.stamp < from) {
+    if (perception_.trouble()) return recover();
+    if (!navigator_.stand(kRecoveryStep, gaze)) return Progress::kEnded;
+  }
+  return perception_.trouble() ? recover() : Progress::kDone;
 }
 
 bool SearchMethod::segment(int region, const robot::HeadState& gaze, double cost_s, const Segmenter& segmenter) {

@@ -12,11 +12,15 @@
 
 namespace amiss::mission {
 
-enum class SearchEnd { kExplored, kStopped, kTimeLimit, kGaveUp };
+enum class SearchEnd { kExplored, kStopped, kTimeLimit, kGaveUp, kLost, kSensorLost };
+inline constexpr SearchEnd kSearchEnds[] = {SearchEnd::kExplored, SearchEnd::kStopped, SearchEnd::kTimeLimit,
+                                            SearchEnd::kGaveUp,   SearchEnd::kLost,    SearchEnd::kSensorLost};
 [[nodiscard]] std::string_view to_string(SearchEnd end);
 
 struct SearchReport {
   SearchEnd end = SearchEnd::kExplored;
+  std::string why;  // kLost and kSensorLost: what the trouble was
+  std::map<NavigationError, int> navigation_errors;
   int segmentation_actions = 0;
   int plans = 0;
   int failed_actions = 0;
@@ -56,10 +60,11 @@ class SearchMethod {
   virtual Progress failed(const Visit& visit, const std::string& why);
   virtual bool replan_due() { return false; }  // asked while driving, like the next one
   virtual bool is_pointless(const Visit&) { return false; }
+  virtual void recovered() {}  // from trouble, in which much may have been misjudged
 
   using Segmenter = std::function<segment::Segmentation(const LocatedFrame&)>;
-  /// Looks there until the head has settled, so that the last frame is of now; false when the mission ended meanwhile.
-  bool look(const robot::HeadState& gaze);
+  /// Looks there until the head has settled and the last frame is of then; kReplan where trouble came between.
+  Progress look(const robot::HeadState& gaze);
   /// One segmentation action: the last frame through the segmenter, which costs simulated time. `region`: its id, 0
   /// for a whole frame. False when the mission ended meanwhile.
   bool segment(int region, const robot::HeadState& gaze, double cost_s, const Segmenter& segmenter);
@@ -87,9 +92,14 @@ class SearchMethod {
   Progress carry_out(const VisitPlan& plan);
   Progress go_to(const Visit& visit);
   Progress wait();
+  /// Stands, or looks round where the pose is lost, until the trouble is over; kEnded when patience is.
+  Progress recover();
+  [[nodiscard]] bool is_well() const { return perception_.pose().converged && !perception_.trouble(); }
+  [[nodiscard]] SearchEnd ended_because() const;
 
   const plan::Domain& domain_;
   RandomStream triangles_random_;
+  std::optional<Trouble> given_in_to_;
   std::size_t reachable_cells_ = 0;
 };
 

@@ -20,7 +20,7 @@ bool StaticSearch::add_view_triangles() {
 StaticSearch::Progress StaticSearch::arrived(const Visit& visit) {
   const Stamp begin = perception_.now();
   const robot::HeadState gaze{0.0, params_.navigation.navigator.head_tilt_rad};
-  if (!look(gaze)) return Progress::kEnded;
+  if (const Progress looked = look(gaze); looked != Progress::kDone) return looked;
   const bool segmented = segment(0, gaze, params_.search.segment_frame_s, [this](const LocatedFrame& frame) {
     return segment::segment_frame(frame.captured.frame, frame.T_map_camera, params_.segment);
   });

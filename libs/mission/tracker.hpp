@@ -14,6 +14,8 @@ class Tracker {
   virtual PoseEstimate update(const Odometry& odometry, const LaserScan* scan,
                               const Transform<Base, Laser>& T_base_laser) = 0;
   [[nodiscard]] virtual Pose2<Map, Odom> T_map_odom() const = 0;
+  /// Does the last scan fit the map so well that odometry may be judged by the pose?
+  [[nodiscard]] virtual bool is_sure() const = 0;
 };
 
 class LocalizerTracker final : public Tracker {
@@ -24,6 +26,7 @@ class LocalizerTracker final : public Tracker {
     return localizer_.update(odometry, scan, T_base_laser);
   }
   [[nodiscard]] Pose2<Map, Odom> T_map_odom() const override { return localizer_.T_map_odom(); }
+  [[nodiscard]] bool is_sure() const override { return localizer_.is_sure(); }
 
  private:
   localize::Localizer localizer_;
@@ -42,6 +45,7 @@ class MapperTracker final : public Tracker {
     return estimate;
   }
   [[nodiscard]] Pose2<Map, Odom> T_map_odom() const override { return mapper_.T_map_odom(); }
+  [[nodiscard]] bool is_sure() const override { return false; }  // its map is made with the odometry
 
  private:
   localize::LaserMapper& mapper_;

@@ -110,6 +110,57 @@ TEST(Localizer, SaysWhenItWasCarriedAway) {
   EXPECT_LT(std::abs(wrap_angle(estimate.T_map_base.yaw_rad - 2.0)), radians(1.0));
 }
 
+/// Carried from one room to the other, then standing there for `scans`.
+PoseEstimate carried(const LocalizerParams& params, int scans, LocalizationEvidence& evidence) {
+  const Flat flat = Flat::furnished();
+  Localizer localizer(flat.grid(), {3.2, 2.0, 0.5}, {}, params, RandomStream(5, "localizer"));
+  RandomStream random(5, "carried");
+  const LaserScan here = testing::scan_from(flat, {3.2, 2.0, 0.5}, Stamp{}, random);
+  for (int i = 0; i < 10; ++i) (void)localizer.update({}, &here, testing::laser_mount());
+  EXPECT_TRUE(localizer.estimate().converged);
+  PoseEstimate estimate;
+  for (int i = 0; i < scans; ++i) {
+    const LaserScan elsewhere = testing::scan_from(flat, {9.0, 6.0, 2.0}, Stamp{}, random);
+    estimate = localizer.update({}, &elsewhere, testing::laser_mount());
+    EXPECT_TRUE(i >= 2 || !estimate.converged) << i;
+  }
+  evidence = localizer.evidence();
+  return estimate;
+}
+
+TEST(Localizer, FindsItselfAgainWhenItWasCarriedAway) {
+  LocalizationEvidence evidence;
+  const PoseEstimate estimate = carried({}, 10, evidence);
+  EXPECT_TRUE(estimate.converged);
+  EXPECT_EQ(evidence.relocalizations, 1);
+  EXPECT_LT((estimate.T_map_base.position() - Eigen::Vector2d(9.0, 6.0)).norm(), 0.04);
+  EXPECT_LT(std::abs(wrap_angle(estimate.T_map_base.yaw_rad - 2.0)), radians(1.0));
+}
+
+TEST(Localizer, DoesNotFindItselfAgainWithoutTheMapsSearch) {
+  LocalizerParams params;
+  params.relocalize = false;
+  LocalizationEvidence evidence;
+  const PoseEstimate estimate = carried(params, 50, evidence);
+  EXPECT_EQ(evidence.relocalizations, 0);
+  EXPECT_GT((estimate.T_map_base.position() - Eigen::Vector2d(9.0, 6.0)).norm(), 0.3);
+}
+
+TEST(Localizer, AScanThatMovesThePoseIsNotBelievedAtOnce) {
+  const Flat flat = Flat::furnished();
+  Localizer localizer(flat.grid(), {3.2, 2.0, 0.5}, {}, {}, RandomStream(5, "localizer"));
+  RandomStream random(5, "slip");
+  const LaserScan here = testing::scan_from(flat, {3.2, 2.0, 0.5}, Stamp{}, random);
+  for (int i = 0; i < 10; ++i) (void)localizer.update({}, &here, testing::laser_mount());
+  const LaserScan slipped = testing::scan_from(flat, {3.3, 2.0, 0.5}, Stamp{}, random);
+  EXPECT_FALSE(localizer.update({}, &slipped, testing::laser_mount()).converged);
+  EXPECT_GT(localizer.evidence().correction_m, 0.04);
+  PoseEstimate estimate;
+  for (int i = 0; i < 10; ++i) estimate = localizer.update({}, &slipped, testing::laser_mount());
+  EXPECT_TRUE(estimate.converged);
+  EXPECT_NEAR(estimate.T_map_base.x_m, 3.3, 0.03);
+}
+
 TEST(Localizer, OdometryMovesThePoseBetweenScans) {
   const Flat flat = Flat::furnished();
   Localizer localizer(flat.grid(), {3.2, 2.0, 0.5}, {}, {}, RandomStream(6, "localizer"));

@@ -25,8 +25,9 @@ class DistanceField {
   [[nodiscard]] Sample at(const Eigen::Vector2d& p_map) const;
   static constexpr double kFar = 10.0;
 
-  /// The map's geometry, and for each of its cells the robust cost of a point at the cell's centre.
+  /// The map's geometry, and for each of its cells the distance and the robust cost of a point at the cell's centre.
   [[nodiscard]] const FloorGrid& frame() const { return frame_; }
+  [[nodiscard]] const std::vector<float>& cell_distances_m() const { return distance_m_; }
   [[nodiscard]] const std::vector<float>& cell_costs() const { return cell_costs_; }
 
  private:
