@@ -72,13 +72,14 @@ void merge_layer(FloorGrid& merged, const FloorGrid& layer, const CellBox& box) 
   });
 }
 
-void free_disc(FloorGrid& grid, const Eigen::Vector2d& place, double radius_m) {
+/// Nothing is free outside of the box, wherever the robot believes to stand.
+void free_disc(FloorGrid& grid, const CellBox& box, const Eigen::Vector2d& place, double radius_m) {
   const Cell low = grid.cell_at(place - Eigen::Vector2d::Constant(radius_m));
   const Cell high = grid.cell_at(place + Eigen::Vector2d::Constant(radius_m));
-  for (int y = low.y; y <= high.y; ++y) {
-    for (int x = low.x; x <= high.x; ++x) {
+  for (int y = std::max(low.y, box.low.y); y <= std::min(high.y, box.high.y); ++y) {
+    for (int x = std::max(low.x, box.low.x); x <= std::min(high.x, box.high.x); ++x) {
       const Cell c{x, y};
-      if (grid.contains(c) && (grid.centre_of(c) - place).norm() <= radius_m) grid.set(c, Occupancy::kFree);
+      if ((grid.centre_of(c) - place).norm() <= radius_m) grid.set(c, Occupancy::kFree);
     }
   }
 }
@@ -110,7 +111,7 @@ std::size_t DriveMap::update(std::span<const FloorGrid* const> layers, std::span
   for_cells(box_, [&](Cell c) { scratch_.set(c, reference_.at(c)); });
   for (const FloorGrid* layer : layers) merge_layer(scratch_, *layer, box_);
   add_hits(hits_map);
-  for (const Eigen::Vector2d& place : free_places_) free_disc(scratch_, place, free_radius_m_);
+  for (const Eigen::Vector2d& place : free_places_) free_disc(scratch_, box_, place, free_radius_m_);
   CellBox changed = kEmpty;
   std::size_t changes = 0;
   for_cells(box_, [&](Cell c) {

@@ -89,6 +89,28 @@ TEST(DriveMap, KeepsFreeWhereTheRobotStands) {
   EXPECT_EQ(map.grid().at(Eigen::Vector2d(1.4, 1.0)), Occupancy::kOccupied);
 }
 
+TEST(DriveMap, NothingIsPassableOutsideOfTheBoxThoughTheRobotBelievesToStandThere) {
+  FloorGrid grid(0.05, {0.0, 0.0}, 200, 200);
+  for (int y = 80; y < 120; ++y) {
+    for (int x = 80; x < 120; ++x) grid.set({x, y}, Occupancy::kFree);
+  }
+  DriveMap map(grid, {});
+  for (const double x_m : {2.5, 2.9, 3.0, 3.1}) {
+    map.keep_free({{x_m, 5.0}}, 0.4);
+    map.update({}, {});
+  }
+  int free = 0;
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      const bool inside =
+          x >= map.box().low.x && y >= map.box().low.y && x <= map.box().high.x && y <= map.box().high.y;
+      ASSERT_TRUE(inside || map.grid().at(Cell{x, y}) != Occupancy::kFree) << x << " " << y;
+      if (inside && map.grid().at(Cell{x, y}) == Occupancy::kFree) ++free;
+    }
+  }
+  EXPECT_GT(free, 1600);
+}
+
 RC_GTEST_PROP(DriveMap, UpdatesOfAPartEqualThoseOfAll, ()) {
   RandomStream random(*rc::gen::arbitrary<std::uint64_t>(), "drive");
   DriveParams params;
