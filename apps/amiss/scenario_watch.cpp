@@ -134,6 +134,12 @@ score::RunRecord ScenarioWatch::record(const mission::SearchReport& result) cons
     run.found_at_s[v.name] = v.found_at_s;
     run.category[v.name] = "novel";  // what the dynamic method reports, it reports as novel
   }
+  run.why = result.why;
+  for (const mission::NavigationError error : mission::kNavigationErrors) {
+    const auto counted = result.navigation_errors.find(error);
+    const int times = counted == result.navigation_errors.end() ? 0 : counted->second;
+    run.navigation_errors[std::string(mission::to_string(error))] = times;
+  }
   run.detected = detected_;
   run.not_happened = robot_.not_happened();
   const knowledge::Knowledge& known = knowledge_.now();

@@ -113,6 +113,10 @@ void TidyObserver::fill(report::TidyReport& report, const mission::SearchReport&
     if (region.withdrawn) ++report.regions_withdrawn;
     if (referee_.is_false({region.position_map}, region.cylinder.radius_m, objects)) ++report.regions_false;
   }
+  report.why = result.why;
+  for (const auto& [error, times] : result.navigation_errors) {
+    report.navigation_errors[std::string(mission::to_string(error))] = times;
+  }
   report.segmentation_actions = result.segmentation_actions;
   report.segments = referee_.segments();
   report.segments_false = referee_.false_segments();

@@ -44,7 +44,6 @@ void describe(ParamTable& table, HealthParams& p) {
 }
 
 std::string to_string(const Trouble& trouble) {
-  if (trouble.sense == Sense::kPose) return "the scans fit the map nowhere";
   return std::string(word_of(trouble.sense)) + " " + std::string(word_of(trouble.complaint));
 }
 

@@ -28,7 +28,7 @@ struct Trouble {
   Complaint complaint = Complaint::kLost;
   Stamp since;
 };
-/// "laser stuck", "lost"
+/// "laser stuck"; "pose lost": the scans fit the map nowhere
 [[nodiscard]] std::string to_string(const Trouble& trouble);
 
 /// Why a goal was not reached.

@@ -64,6 +64,8 @@ Json without_wall_time(const TidyReport& r) {
   json["seed"] = r.seed;
   json["method"] = r.method;
   json["outcome"] = r.outcome;
+  if (!r.why.empty()) json["why"] = r.why;
+  if (!r.navigation_errors.empty()) json["navigation_errors"] = r.navigation_errors;
   json["objects_placed"] = r.objects.size();
   json["objects_found"] = r.found();
   json["segmentation_actions"] = r.segmentation_actions;
@@ -116,9 +118,10 @@ std::string to_table(const TidyReport& report) {
     table += fmt::format("{:<24}{:<7}{:>10}{:>11}   ({:.2f}, {:.2f})\n", o.name, o.found ? "yes" : "no", after, error,
                          o.position_m.x(), o.position_m.y());
   }
-  table += fmt::format("{} of {} found ({}), {} segmentations, {} regions ({} false), {} collisions\n", report.found(),
-                       report.objects.size(), report.outcome, report.segmentation_actions, report.regions_detected,
-                       report.regions_false, report.collisions.size());
+  table +=
+      fmt::format("{} of {} found ({}), {} segmentations, {} regions ({} false), {} collisions\n", report.found(),
+                  report.objects.size(), report.outcome + (report.why.empty() ? "" : ": " + report.why),
+                  report.segmentation_actions, report.regions_detected, report.regions_false, report.collisions.size());
   table += fmt::format("{:.0f} m driven in {:.0f} s (simulated), {:.1f} s on the clock: {:.0f} times real time\n",
                        report.distance_m, report.simulated_s, report.wall_s,
                        report.wall_s > 0.0 ? report.simulated_s / report.wall_s : 0.0);

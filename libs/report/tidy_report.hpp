@@ -2,6 +2,7 @@
 // The digest is a SHA-256 over everything that is not wall time, and over the artefacts that are given to it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ struct ReportedCollision {
 
 struct TidyReport {
   std::string version, world, method, outcome;
+  std::string why;                               // of an outcome that a trouble brought about
+  std::map<std::string, int> navigation_errors;  // how often which, by word
   std::uint64_t seed = 0;
   std::vector<ReportedObject> objects;
   std::vector<ReportedCollision> collisions;

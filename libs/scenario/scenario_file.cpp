@@ -47,8 +47,8 @@ score::Limits read_limits(const YamlReader& value) {
 }
 
 score::Expectations read_expectations(const YamlReader& map) {
-  std::vector<std::string> keys{"found",    "not_found", "detected", "not_detected",
-                                "found_by", "category",  "end",      "exit_status"};
+  std::vector<std::string> keys{"found",    "not_found", "detected",    "not_detected", "found_by",
+                                "category", "end",       "exit_status", "why",          "navigation_errors"};
   std::vector<std::string> numbers;
   for (const score::NumberRow& row : score::number_rows()) numbers.emplace_back(row.name);
   keys.insert(keys.end(), numbers.begin(), numbers.end());
@@ -63,7 +63,23 @@ score::Expectations read_expectations(const YamlReader& map) {
   expect.not_found = words("not_found");
   expect.detected = words("detected");
   expect.not_detected = words("not_detected");
-  expect.end = words("end");
+  const auto choices = [&](const char* key, const std::vector<std::string>& allowed, const char* of_what) {
+    const auto value = map.find(key);
+    if (!value) return std::vector<std::string>{};
+    std::vector<std::string> chosen;
+    for (const YamlReader& word : value->is_list() ? value->items() : std::vector{*value}) {
+      chosen.push_back(word.choice(allowed, of_what));
+    }
+    return chosen;
+  };
+  expect.end = choices("end", score::end_words(), "end of a run");
+  expect.why = choices("why", score::why_words(), "trouble");
+  if (const auto errors = map.find("navigation_errors")) {
+    errors->allow(score::navigation_error_words());
+    errors->each([&](const std::string& error, const YamlReader& limits) {
+      expect.navigation_errors[error] = read_limits(limits);
+    });
+  }
   if (const auto times = map.find("found_by")) {
     times->each(
         [&](const std::string& object, const YamlReader& by) { expect.found_by_s[object] = by.number(0.0, 1e6); });
@@ -110,12 +126,28 @@ Break read_break(const YamlReader& item, const Vocabulary& vocabulary) {
 /// What must be found must be put there by the script.
 void check_names(const Scenario& scenario, const YamlReader& root) {
   const std::vector<std::string> all = names_of(scenario.script);
-  for (const auto* names :
-       {&scenario.expect.found, &scenario.expect.not_found, &scenario.expect.detected, &scenario.expect.not_detected}) {
-    for (const std::string& name : *names) {
-      if (std::find(all.begin(), all.end(), name) != all.end()) continue;
-      root.at("expect").fail("'" + name + "' is expected, but nothing adds it");
-    }
+  const auto check = [&](const std::string& name) {
+    if (std::find(all.begin(), all.end(), name) != all.end()) return;
+    root.at("expect").fail("'" + name + "' is expected, but nothing adds it");
+  };
+  const score::Expectations& expect = scenario.expect;
+  for (const auto* names : {&expect.found, &expect.not_found, &expect.detected, &expect.not_detected}) {
+    for (const std::string& name : *names) check(name);
+  }
+  for (const auto& [name, by_s] : expect.found_by_s) check(name);
+  for (const auto& [name, category] : expect.category) check(name);
+}
+
+/// What a break makes fail must be expected.
+void check_fails(const YamlReader& item, const YamlReader& expect) {
+  const auto fails = item.find("fails");
+  if (!fails) return;
+  for (const YamlReader& word : fails->is_list() ? fails->items() : std::vector{*fails}) {
+    const std::string key = word.text();
+    if (key == "events" || expect.find(key)) continue;
+    std::string allowed;
+    expect.each([&](const std::string& given, const YamlReader&) { allowed += given + ", "; });
+    word.fail("'" + key + "' should fail, but is not expected; Allowed: " + allowed + "events");
   }
 }
 
@@ -143,7 +175,10 @@ Scenario read_scenario(const YamlReader& root, const std::filesystem::path& file
   }
   check_names(scenario, root);
   if (const auto breaks = root.find("breaks")) {
-    for (const YamlReader& item : breaks->items()) scenario.breaks.push_back(read_break(item, vocabulary));
+    for (const YamlReader& item : breaks->items()) {
+      scenario.breaks.push_back(read_break(item, vocabulary));
+      check_fails(item, root.at("expect"));
+    }
   }
   return scenario;
 }

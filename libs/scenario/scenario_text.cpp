@@ -116,18 +116,20 @@ std::string limits(const std::string& key, const score::Limits& l) {
   std::string text;
   if (l.least) text += "min: " + number(*l.least);
   if (l.most) text += (text.empty() ? "max: " : ", max: ") + number(*l.most);
-  return "  " + key + ": {" + text + "}\n";
+  return key + ": {" + text + "}";
 }
 
 std::string expectations(const score::Expectations& e) {
   std::string text = words("found", e.found) + words("not_found", e.not_found) + words("detected", e.detected) +
-                     words("not_detected", e.not_detected) + words("end", e.end);
+                     words("not_detected", e.not_detected) + words("end", e.end) + words("why", e.why);
   if (e.exit_status) text += "  exit_status: " + std::to_string(*e.exit_status) + "\n";
   if (!e.found_by_s.empty()) text += "  found_by:\n";
   for (const auto& [object, by_s] : e.found_by_s) text += "    " + quoted(object) + ": " + number(by_s) + "\n";
   if (!e.category.empty()) text += "  category:\n";
   for (const auto& [object, category] : e.category) text += "    " + quoted(object) + ": " + category + "\n";
-  for (const auto& [key, l] : e.numbers) text += limits(key, l);
+  if (!e.navigation_errors.empty()) text += "  navigation_errors:\n";
+  for (const auto& [key, l] : e.navigation_errors) text += "    " + limits(key, l) + "\n";
+  for (const auto& [key, l] : e.numbers) text += "  " + limits(key, l) + "\n";
   return text.empty() ? "expect: {}\n" : "expect:\n" + text;
 }
 

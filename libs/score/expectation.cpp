@@ -35,6 +35,7 @@ struct Judge {
   void found_by(const std::string& object, double by_s);
   void category(const std::string& object, const std::string& wanted);
   void number(const std::string& name, const Limits& limits);
+  void value(const std::string& what, const std::string& name, double value, const Limits& limits);
 };
 
 void Judge::found(const std::string& object, bool wanted) {
@@ -65,16 +66,19 @@ void Judge::category(const std::string& object, const std::string& wanted) {
 void Judge::number(const std::string& name, const Limits& limits) {
   const auto given = run.numbers.find(name);
   if (given == run.numbers.end()) return add(name, false, name + " was not measured");
-  const double value = given->second;
+  value(name, name, given->second, limits);
+}
+
+void Judge::value(const std::string& what, const std::string& name, double value, const Limits& limits) {
   const bool holds =
       !std::isnan(value) && (!limits.least || value >= *limits.least) && (!limits.most || value <= *limits.most);
   std::string wanted;
   if (limits.least && limits.most == limits.least) {
-    return add(name, holds, name + " exactly " + text_of(*limits.least) + ": it was " + text_of(value));
+    return add(what, holds, name + " exactly " + text_of(*limits.least) + ": it was " + text_of(value));
   }
   if (limits.least) wanted += " at least " + text_of(*limits.least);
   if (limits.most) wanted += std::string(limits.least ? " and" : "") + " at most " + text_of(*limits.most);
-  add(name, holds, name + wanted + ": it was " + text_of(value));
+  add(what, holds, name + wanted + ": it was " + text_of(value));
 }
 
 }  // namespace
@@ -91,9 +95,18 @@ std::vector<Finding> judge(const Expectations& expected, const RunRecord& run) {
     const bool allowed = std::find(expected.end.begin(), expected.end.end(), run.end) != expected.end.end();
     judge.add("end", allowed, list_of(expected.end, " or ") + ": it ended with " + run.end);
   }
+  if (!expected.why.empty()) {
+    const bool allowed = std::find(expected.why.begin(), expected.why.end(), run.why) != expected.why.end();
+    judge.add("why", allowed, list_of(expected.why, " or ") + ": it was " + (run.why.empty() ? "none" : run.why));
+  }
   if (expected.exit_status) {
     judge.add("exit_status", run.exit_status == *expected.exit_status,
               std::to_string(*expected.exit_status) + ": it was " + std::to_string(run.exit_status));
+  }
+  for (const auto& [name, limits] : expected.navigation_errors) {
+    const auto times = run.navigation_errors.find(name);
+    const double value = times == run.navigation_errors.end() ? 0.0 : times->second;
+    judge.value("navigation_errors", name, value, limits);
   }
   for (const auto& [name, limits] : expected.numbers) judge.number(name, limits);
   judge.add("events", run.not_happened.empty(),
@@ -122,6 +135,25 @@ const std::vector<NumberRow>& number_rows() {
       {"recovery", "s", "from the last kidnapping or jump until the position is right by 0.15 m and stays so"},
   };
   return kRows;
+}
+
+const std::vector<std::string>& end_words() {
+  static const std::vector<std::string> kWords{"found", "explored",    "time_limit", "gave_up",
+                                               "lost",  "sensor_lost", "stopped"};
+  return kWords;
+}
+
+const std::vector<std::string>& why_words() {
+  static const std::vector<std::string> kWords{"camera silent",    "camera stuck", "camera garbage", "camera wrong",
+                                               "laser silent",     "laser stuck",  "laser garbage",  "odometry silent",
+                                               "odometry garbage", "pose lost"};
+  return kWords;
+}
+
+const std::vector<std::string>& navigation_error_words() {
+  static const std::vector<std::string> kWords{"no_path", "blocked", "off_path",   "held",
+                                               "timeout", "lost",    "sensor_lost"};
+  return kWords;
 }
 
 }  // namespace amiss::score

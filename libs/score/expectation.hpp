@@ -22,14 +22,17 @@ struct Expectations {
   std::map<std::string, double> found_by_s;         // by object
   std::map<std::string, std::string> category;      // by object
   std::vector<std::string> end;                     // how the run may end
+  std::vector<std::string> why;                     // and what trouble may have ended it
+  std::map<std::string, Limits> navigation_errors;  // how often which, by word
   std::optional<int> exit_status;
   std::map<std::string, Limits> numbers;
 };
 
 /// What a run showed, by the words of the expectations.
 struct RunRecord {
-  std::string end;
+  std::string end, why;
   int exit_status = 0;
+  std::map<std::string, int> navigation_errors;
   std::map<std::string, double> found_at_s;
   std::set<std::string> detected;
   std::map<std::string, std::string> category;  // only where the method gives one
@@ -50,5 +53,9 @@ struct NumberRow {
   std::string_view name, unit, meaning;
 };
 [[nodiscard]] const std::vector<NumberRow>& number_rows();
+/// The words for `end`, `why` and `navigation_errors`.
+[[nodiscard]] const std::vector<std::string>& end_words();
+[[nodiscard]] const std::vector<std::string>& why_words();
+[[nodiscard]] const std::vector<std::string>& navigation_error_words();
 
 }  // namespace amiss::score

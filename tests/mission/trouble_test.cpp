@@ -11,7 +11,7 @@ TEST(Trouble, SaysWhatIsWrong) {
   EXPECT_EQ(to_string(Trouble{Sense::kLaser, Complaint::kStuck, {}}), "laser stuck");
   EXPECT_EQ(to_string(Trouble{Sense::kCamera, Complaint::kSilent, {}}), "camera silent");
   EXPECT_EQ(to_string(Trouble{Sense::kOdometry, Complaint::kGarbage, {}}), "odometry garbage");
-  EXPECT_EQ(to_string(Trouble{Sense::kPose, Complaint::kLost, {}}), "the scans fit the map nowhere");
+  EXPECT_EQ(to_string(Trouble{Sense::kPose, Complaint::kLost, {}}), "pose lost");
 }
 
 TEST(Trouble, NavigationErrorsHaveAWordEach) {

@@ -55,6 +55,18 @@ TEST(TidyReport, HoldsWhatIsPromised) {
   EXPECT_EQ(report["digest"].get<std::string>().size(), 64U);
 }
 
+TEST(TidyReport, SaysWhyAndWhichErrorsWhereThereAreAny) {
+  EXPECT_FALSE(parsed(sample()).contains("why"));
+  EXPECT_FALSE(parsed(sample()).contains("navigation_errors"));
+  TidyReport report = sample();
+  report.outcome = "sensor_lost";
+  report.why = "laser stuck";
+  report.navigation_errors = {{"blocked", 2}, {"sensor_lost", 1}};
+  EXPECT_EQ(parsed(report)["why"], "laser stuck");
+  EXPECT_EQ(parsed(report)["navigation_errors"], (json{{"blocked", 2}, {"sensor_lost", 1}}));
+  EXPECT_NE(to_table(report).find("sensor_lost: laser stuck"), std::string::npos);
+}
+
 TEST(TidyReport, DigestLeavesWallTimeOut) {
   TidyReport slow = sample();
   slow.wall_s = 99.0;

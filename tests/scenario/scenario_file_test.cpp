@@ -115,13 +115,25 @@ TEST(ScenarioFile, SaysLineAndColumnAndWhatIsAllowed) {
             "folder/s.yaml:4:14: no object 'mugg'; did you mean 'mug'? Allowed: mug, toy_car");
   EXPECT_EQ(refusal(head + "time_limit: soon\n"),
             "folder/s.yaml:3:13: 'soon' is not allowed: a number from 1 to 100000 is needed");
-  EXPECT_EQ(refusal(head + "events:\n  - {at: 1}\n"),
-            "folder/s.yaml:4:5: exactly one of add, drop, block, move, remove, close_door, walk, kidnap, jump, fault is "
-            "needed");
+  EXPECT_EQ(
+      refusal(head + "events:\n  - {at: 1}\n"),
+      "folder/s.yaml:4:5: exactly one of add, drop, block, move, remove, close_door, walk, kidnap, jump, fault is "
+      "needed");
   EXPECT_EQ(refusal(head + "events:\n  - {fault: {sensor: laser, kind: off, period: 2}}\n"),
             "folder/s.yaml:4:48: 'period' says nothing of a sensor that is off");
   EXPECT_EQ(refusal(head + "events:\n  - {at: 1, when: {detected: mug}, remove: {name: mug}}\n"),
             "folder/s.yaml:4:5: one of 'at' and 'when' is allowed");
+  EXPECT_EQ(refusal("world: lab\nexpect: {end: [explored, fuond]}\n"),
+            "folder/s.yaml:2:25: no end of a run 'fuond'; did you mean 'found'? Allowed: found, explored, time_limit, "
+            "gave_up, lost, sensor_lost, stopped");
+  EXPECT_EQ(refusal("world: lab\nexpect: {why: laser drunk}\n").substr(0, 52),
+            "folder/s.yaml:2:15: no trouble 'laser drunk'; did you");
+  EXPECT_EQ(refusal("world: lab\nexpect: {navigation_errors: {blokked: 1}}\n").substr(0, 71),
+            "folder/s.yaml:2:30: unknown key 'blokked'; did you mean 'blocked'? Allo");
+  EXPECT_EQ(refusal(head + "breaks:\n  - {fails: [end]}\n"),
+            "folder/s.yaml:4:13: 'end' should fail, but is not expected; Allowed: events");
+  EXPECT_EQ(refusal("world: lab\nexpect: {found_by: {mug: 3}}\n"),
+            "folder/s.yaml:2:9: 'mug' is expected, but nothing adds it");
   EXPECT_EQ(refusal(head + "seed: 1\nseed: 2\n"), "folder/s.yaml:4:1: the key 'seed' is there twice");
   EXPECT_EQ(refusal("world: lab\nexpect: {found: [mug]}\n"),
             "folder/s.yaml:2:9: 'mug' is expected, but nothing adds it");

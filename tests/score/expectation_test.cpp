@@ -15,6 +15,7 @@ RunRecord run_of_a_kind() {
   run.end = "explored";
   run.exit_status = 0;
   run.found_at_s = {{"mug", 12.345}};
+  run.navigation_errors = {{"no_path", 2}};
   run.detected = {"mug", "ball"};
   run.category = {{"mug", "novel"}};
   run.numbers = {{"collisions", 0.0}, {"recovery", std::numeric_limits<double>::infinity()}, {"plans", 3.0}};
@@ -66,6 +67,9 @@ TEST(Expectation, EachFailsAlone) {
   EXPECT_EQ(failed(only(&Expectations::category, {{"ball", "novel"}})), Keys{"category"});
   EXPECT_EQ(failed(only(&Expectations::end, {"found"})), Keys{"end"});
   EXPECT_EQ(failed(only(&Expectations::exit_status, 1)), Keys{"exit_status"});
+  EXPECT_EQ(failed(only(&Expectations::why, {"laser stuck"})), Keys{"why"});
+  EXPECT_EQ(failed(only(&Expectations::navigation_errors, {{"blocked", {1.0, {}}}})), Keys{"navigation_errors"});
+  EXPECT_EQ(failed(only(&Expectations::navigation_errors, {{"no_path", {{}, 1.0}}})), Keys{"navigation_errors"});
   EXPECT_EQ(failed(only(&Expectations::numbers, {{"plans", {4.0, {}}}})), Keys{"plans"});
   EXPECT_EQ(failed(only(&Expectations::numbers, {{"plans", {{}, 2.0}}})), Keys{"plans"});
 }

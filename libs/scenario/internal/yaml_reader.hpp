@@ -19,6 +19,7 @@ class YamlReader {
   [[nodiscard]] std::string where() const;
   [[noreturn]] void fail(const std::string& what) const;  // InputError
   [[nodiscard]] bool is_map() const { return node_.IsMap(); }
+  [[nodiscard]] bool is_list() const { return node_.IsSequence(); }
 
   /// The node must be a map with no other keys than these; a wrong one is named with the nearest and all allowed.
   void allow(const std::vector<std::string>& keys) const;
