@@ -56,7 +56,6 @@ bool Search::add_view_triangles() {
     if (looking_ == Looking::kAgain) return false;
     looking_ = looking_ == Looking::kCoarsely ? Looking::kFinely : Looking::kAgain;
   }
-  if (looking_ == Looking::kAgain) forget_failures();
   remember(std::move(triangles));
   return true;
 }

@@ -124,14 +124,14 @@ TEST(ScenarioFile, SaysLineAndColumnAndWhatIsAllowed) {
   EXPECT_EQ(refusal(head + "events:\n  - {at: 1, when: {detected: mug}, remove: {name: mug}}\n"),
             "folder/s.yaml:4:5: one of 'at' and 'when' is allowed");
   EXPECT_EQ(refusal("world: lab\nexpect: {end: [explored, fuond]}\n"),
-            "folder/s.yaml:2:25: no end of a run 'fuond'; did you mean 'found'? Allowed: found, explored, time_limit, "
+            "folder/s.yaml:2:26: no end of a run 'fuond'; did you mean 'found'? Allowed: found, explored, time_limit, "
             "gave_up, lost, sensor_lost, stopped");
   EXPECT_EQ(refusal("world: lab\nexpect: {why: laser drunk}\n").substr(0, 52),
-            "folder/s.yaml:2:15: no trouble 'laser drunk'; did you");
+            "folder/s.yaml:2:15: no trouble 'laser drunk'; did yo");
   EXPECT_EQ(refusal("world: lab\nexpect: {navigation_errors: {blokked: 1}}\n").substr(0, 71),
             "folder/s.yaml:2:30: unknown key 'blokked'; did you mean 'blocked'? Allo");
   EXPECT_EQ(refusal(head + "breaks:\n  - {fails: [end]}\n"),
-            "folder/s.yaml:4:13: 'end' should fail, but is not expected; Allowed: events");
+            "folder/s.yaml:4:14: 'end' should fail, but is not expected; Allowed: events");
   EXPECT_EQ(refusal("world: lab\nexpect: {found_by: {mug: 3}}\n"),
             "folder/s.yaml:2:9: 'mug' is expected, but nothing adds it");
   EXPECT_EQ(refusal(head + "seed: 1\nseed: 2\n"), "folder/s.yaml:4:1: the key 'seed' is there twice");
