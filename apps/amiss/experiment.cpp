@@ -18,13 +18,29 @@ struct Arguments {
   ExperimentOptions options;
   std::string spec, folder;
   std::vector<std::string> ids;
+  int jobs = 2;  // of `plan`
 };
 
 void add_plan(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status) {
   CLI::App* plan = experiment.add_subcommand("plan", "the trials, their ids, how long it will take");
   plan->add_option("SPEC", a->spec, "YAML file of the experiment")->type_name("FILE")->required();
-  plan->add_option("-j,--jobs", a->options.jobs, "trials at a time")->check(CLI::Range(1, 1024))->capture_default_str();
-  plan->callback([a, &exit_status] { exit_status = plan_experiment(a->spec, a->options.jobs); });
+  plan->add_option("-j,--jobs", a->jobs, "trials at a time")->check(CLI::Range(1, 1024))->capture_default_str();
+  plan->callback([a, &exit_status] { exit_status = plan_experiment(a->spec, a->jobs); });
+}
+
+void add_engine_options(CLI::App& run, ExperimentOptions& o) {
+  run.add_option("--engine", o.engine, "who does them: this program, job arrays of Slurm, GNU parallel [local]")
+      ->check(CLI::IsMember({kLocalEngine, kSlurmEngine, kParallelEngine}))
+      ->option_text("local|slurm|parallel");
+  run.add_option("--chunk", o.chunk, "trials for each task [10 with slurm, 1 with parallel]")
+      ->check(CLI::Range(1, 10000));
+  run.add_flag("--print", o.print, "with slurm: print the scripts of the job arrays and do nothing");
+  run.add_option("--sbatch", o.sbatch, "with slurm: an option of sbatch, such as --sbatch=--partition=short")
+      ->type_name("OPTION")
+      ->allow_extra_args(false);
+  run.add_option("--sshlogin", o.logins, "with parallel: machines, as GNU parallel names them, such as 8/host1,host2")
+      ->type_name("LOGIN")
+      ->allow_extra_args(false);
 }
 
 void add_run(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exit_status) {
@@ -32,7 +48,9 @@ void add_run(CLI::App& experiment, const std::shared_ptr<Arguments>& a, int& exi
   CLI::App* run = experiment.add_subcommand("run", "do what has no result yet");
   run->add_option("SPEC", a->spec, "YAML file of the experiment")->type_name("FILE")->required();
   run->add_option("--out", o.out, "its folder; one that was begun is taken up again [runs/SPEC]")->type_name("DIR");
-  run->add_option("-j,--jobs", o.jobs, "trials at a time")->check(CLI::Range(1, 1024))->capture_default_str();
+  run->add_option("-j,--jobs", o.jobs, "trials at a time [2; with slurm as many as there is room for]")
+      ->check(CLI::Range(1, 1024));
+  add_engine_options(*run, o);
   run->add_flag("--retry-failed", o.retry_failed, "also do again what failed");
   run->callback([a, &exit_status] { exit_status = run_experiment(a->spec, a->options); });
 }

@@ -1,9 +1,6 @@
 #include "experiment_run.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -11,7 +8,9 @@
 
 #include "commands.hpp"
 #include "core/result.hpp"
+#include "experiment/file_lock.hpp"
 #include "experiment/runner.hpp"
+#include "experiment_engine.hpp"
 #include "interrupt.hpp"
 #include "resources.hpp"
 #include "time_left.hpp"
@@ -25,29 +24,12 @@ using experiment::Trial;
 
 namespace {
 
-/// Held by the one `run` of a folder; gone with its process, however that ends.
-class FolderLock {
- public:
-  explicit FolderLock(const fs::path& folder)
-      : file_(::open((folder / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
-    if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) != 0) {
-      if (file_ >= 0) ::close(file_);
-      throw ArgumentError(folder.string() + ": another `amiss experiment run` works in it; one at a time is allowed");
-    }
-  }
-  ~FolderLock() { ::close(file_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int file_;
-};
-
-experiment::RunHooks hooks_of(TimeLeft& left) {
-  experiment::RunHooks hooks;
-  hooks.stop = interrupted;
-  hooks.progress = [&left](std::size_t done, std::size_t of) { left.show(done, of); };
-  return hooks;
+/// Held by the one `run` of a folder.
+experiment::FileLock lock_of(const Folder& folder) {
+  auto lock = experiment::FileLock::take(folder.path() / "lock");
+  if (lock) return std::move(*lock);
+  throw ArgumentError(folder.path().string() +
+                      ": another `amiss experiment run` works in it; one at a time is allowed");
 }
 
 }  // namespace
@@ -63,24 +45,21 @@ int plan_experiment(const fs::path& spec_file, int jobs) {
 
 int run_experiment(const fs::path& spec_file, const ExperimentOptions& options) {
   catch_interrupts();
+  check_engine(options);
   const experiment::Spec spec = experiment::load_spec(spec_file);
   const auto keys = trial_keys(spec);
   const auto trials = experiment::trials_of(spec, keys, program_hash());
   const fs::path out = options.out.empty() ? fs::path("runs") / spec_file.stem() : options.out;
   const Folder folder = Folder::begin(out, spec_file, trials);
-  const FolderLock lock(folder.path());
-  folder.clear_work();
+  const experiment::FileLock lock = lock_of(folder);
+  if (options.engine == kLocalEngine) folder.clear_work();  // else tasks of before may be at work still
   folder.save_basis(keys);
+  if (options.print) return print_scripts(folder, options);
   if (options.retry_failed) folder.forget_failures();
   const auto tell = [](const std::string& world) { std::cerr << "amiss: mapping " << world << " once\n"; };
   if (!prepare_references(folder.spec(), tell)) return interrupted() ? kInterrupted : kGoalNotMet;
-  TimeLeft left(folder.spec().trial_wall_s / options.jobs);
-  if (!experiment::run_trials(folder, folder.missing(), options.jobs, kRunningProgram, hooks_of(left))) {
-    left.clear();
-    return kInterrupted;
-  }
-  left.clear();
-  return show_experiment(folder.path());
+  do_trials(folder, options);
+  return interrupted() ? kInterrupted : show_experiment(folder.path());
 }
 
 int work_on_experiment(const fs::path& path, const std::vector<std::string>& ids) {

@@ -14,15 +14,8 @@ namespace amiss::app {
 namespace {
 
 namespace fs = std::filesystem;
+using experiment::last_line;
 using Json = nlohmann::ordered_json;
-
-std::string last_line(const std::string& text) {
-  const auto end = text.find_last_not_of('\n');
-  if (end == std::string::npos) return "";
-  const auto begin = text.find_last_of('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1,
-                     end - (begin == std::string::npos ? 0 : begin + 1) + 1);
-}
 
 void judge_as_it_is(const Json& findings, JobResult& result) {
   for (const Json& f : findings) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "core/files.hpp"
 #include "core/result.hpp"
@@ -80,9 +81,13 @@ fs::path Folder::result_file(const Trial& trial) const { return path_ / "trials"
 
 bool Folder::has(const Trial& trial) const { return fs::exists(result_file(trial)); }
 
+/// One look at the folder: far cheaper on a file system of a network than one for each trial.
 std::vector<Trial> Folder::missing() const {
+  std::set<std::string> there;
+  for (const auto& entry : fs::directory_iterator(path_ / "trials")) there.insert(entry.path().filename().string());
   std::vector<Trial> missing;
-  std::copy_if(trials_.begin(), trials_.end(), std::back_inserter(missing), [&](const Trial& t) { return !has(t); });
+  std::copy_if(trials_.begin(), trials_.end(), std::back_inserter(missing),
+               [&](const Trial& t) { return !there.contains(result_file(t).filename().string()); });
   return missing;
 }
 
@@ -118,6 +123,10 @@ void Folder::forget_failures() const {
   }
 }
 
+std::optional<FileLock> Folder::claim(const Trial& trial) const {
+  return FileLock::take(path_ / "work" / (trial.id + ".claim"));
+}
+
 fs::path Folder::work_folder(const Trial& trial) const {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
@@ -127,10 +136,16 @@ fs::path Folder::work_folder(const Trial& trial) const {
 }
 
 void Folder::clear_work() const {
-  for (const auto& entry : fs::directory_iterator(path_ / "work")) fs::remove_all(entry);
+  const fs::path cleared = path_ / "work" / "cleared";
+  std::error_code gone;
+  fs::remove_all(cleared, gone);
+  for (const auto& entry : fs::directory_iterator(path_ / "work")) {
+    fs::rename(entry, cleared, gone);
+    fs::remove_all(cleared, gone);
+  }
   for (const char* name : {"trials", "times"}) {  // what was half written when a run was killed
     for (const auto& entry : fs::directory_iterator(path_ / name)) {
-      if (entry.path().extension() != ".json") fs::remove(entry);
+      if (entry.path().extension() != ".json") fs::remove(entry, gone);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/file_lock.hpp"
 #include "experiment/result.hpp"
 #include "experiment/spec.hpp"
 #include "experiment/trial.hpp"
@@ -39,8 +40,11 @@ class Folder {
 
   void save_result(const Trial& trial, std::string_view text, std::string_view times) const;
   void forget_failures() const;  // so that they are run again
+  /// Held while a trial is done; nothing when another process does it.
+  [[nodiscard]] std::optional<FileLock> claim(const Trial& trial) const;
   /// A new folder for one run of a trial, which nobody else uses.
   [[nodiscard]] std::filesystem::path work_folder(const Trial& trial) const;
+  /// What runs that were killed left. What another process is at loses its folder as a whole and is begun again.
   void clear_work() const;
   /// ArgumentError when the plan was made for another program than this one.
   void require_program(const std::string& program) const;

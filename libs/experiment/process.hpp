@@ -21,4 +21,10 @@ struct Ended {
 [[nodiscard]] Ended run_program(const std::vector<std::string>& arguments, const std::string& input,
                                 const std::function<bool()>& stop, std::size_t kept = std::size_t{64} << 10U);
 
+/// Without its end; of what a program said when it failed.
+[[nodiscard]] std::string last_line(std::string text);
+
+/// A word as a shell takes it literally.
+[[nodiscard]] std::string shell_quoted(const std::string& word);
+
 }  // namespace amiss::experiment

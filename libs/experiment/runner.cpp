@@ -20,13 +20,7 @@ namespace {
 
 constexpr int kInterrupted = 130, kLastGoodStatus = 1;  // of `amiss tidy`
 constexpr int kAttempts = 3;
-constexpr std::chrono::milliseconds kBetweenProgress(500);
-
-std::string last_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  const auto begin = text.rfind('\n');
-  return begin == std::string::npos ? text : text.substr(begin + 1);
-}
+constexpr std::chrono::milliseconds kBetweenProgress(500), kBetweenClaims(200);
 
 std::string why_failed(const Ended& ended) {
   if (ended.signal != 0) return fmt::format("ended by signal {}", ended.signal);
@@ -44,25 +38,43 @@ Ended patiently(const std::vector<std::string>& words, const RunHooks& hooks) {
   return ended;
 }
 
-}  // namespace
-
-bool run_trial(const Folder& folder, const Trial& trial, const std::string& program, const RunHooks& hooks) {
-  if (folder.has(trial)) return true;
+/// One run. False when it gave no result: it was stopped, or its folder was cleared away, which says nothing of the
+/// trial. The program may make its folder again then, but not the mark above it.
+bool attempt(const Folder& folder, const Trial& trial, const std::string& program, const RunHooks& hooks) {
   const fs::path work = folder.work_folder(trial);
-  std::vector<std::string> words = arguments_of(trial, folder.spec(), work.string());
+  const fs::path run = work / "run", mark = work / "begun";
+  fs::create_directories(mark);
+  std::vector<std::string> words = arguments_of(trial, folder.spec(), run.string());
   words.insert(words.begin(), program);
   const Ended ended = patiently(words, hooks);
   const bool interrupted = ended.stopped || ended.status == kInterrupted || hooks.stop();
-  const fs::path report = work / "report.json";
+  const bool cleared = !fs::exists(mark);
+  const fs::path report = run / "report.json";
   if (!interrupted && ended.signal == 0 && ended.status <= kLastGoodStatus && fs::exists(report)) {
     const std::string json = load_bytes(report);
     folder.save_result(trial, result_text(trial, json), times_text(json));
-  } else if (!interrupted) {
+  } else if (!interrupted && !cleared) {
     folder.save_result(trial, failure_text(trial, why_failed(ended)), "");
   }
   std::error_code gone;
   fs::remove_all(work, gone);
-  return !interrupted;
+  return !interrupted && !cleared;
+}
+
+}  // namespace
+
+bool run_trial(const Folder& folder, const Trial& trial, const std::string& program, const RunHooks& hooks) {
+  for (int tried = 0; !folder.has(trial);) {
+    if (hooks.stop() || tried == kAttempts) return false;
+    const auto claim = folder.claim(trial);
+    if (!claim) {
+      std::this_thread::sleep_for(kBetweenClaims);
+    } else if (!folder.has(trial)) {
+      if (attempt(folder, trial, program, hooks)) return true;
+      ++tried;
+    }
+  }
+  return true;
 }
 
 bool run_trials(const Folder& folder, const std::vector<Trial>& trials, int jobs, const std::string& program,

@@ -14,9 +14,11 @@ struct RunHooks {
   std::function<bool()> stop = [] { return false; };
   /// A trial ended, or none since a second: how many results there are of these trials.
   std::function<void(std::size_t done, std::size_t of)> progress = [](std::size_t, std::size_t) {};
+  std::function<void(const std::string& sentence)> tell = [](const std::string&) {};  // what a user should know
 };
 
-/// `program`: the file of amiss. A trial that was stopped leaves nothing; false then.
+/// `program`: the file of amiss. A trial that was stopped leaves nothing; false then. One that another process does at
+/// the moment is waited for.
 bool run_trial(const Folder& folder, const Trial& trial, const std::string& program, const RunHooks& hooks);
 
 /// Those of `trials` that have no result yet, `jobs` at a time. False when it was stopped.

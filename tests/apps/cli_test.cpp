@@ -95,6 +95,31 @@ TEST_F(Cli, SubcommandsAndOptions) {
   expect_refusal(2, {"diff", "a.ot"}, {"CURRENT"});
 }
 
+TEST_F(Cli, EnginesOfExperiments) {
+  const std::string spec = kTop + "/share/experiments/small.yaml";
+  const auto refused = [&](std::vector<std::string> more, const std::vector<std::string>& words) {
+    more.insert(more.begin(), {"experiment", "run", spec, "--out", "out"});
+    expect_refusal(2, more, words);
+  };
+  refused({"--engine", "pbs"}, {"--engine", "local", "slurm", "parallel"});
+  refused({"--engine", "slurm", "--chunk", "0"}, {"--chunk", "1"});
+  refused({"--chunk", "2"}, {"--chunk", "--engine slurm", "--engine parallel"});
+  refused({"--print"}, {"--print", "--engine slurm"});
+  refused({"--engine", "local", "--sbatch=--time=1"}, {"--sbatch", "--engine slurm"});
+  refused({"--engine", "slurm", "--sshlogin", "node"}, {"--sshlogin", "--engine parallel"});
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+TEST_F(Cli, ScriptsForSlurmAreShown) {
+  const Ended ended = amiss({"experiment", "run", kTop + "/share/experiments/small.yaml", "--out", "out", "--engine",
+                             "slurm", "--chunk", "4", "--sbatch=--partition=short", "--print"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.out.rfind("#!/bin/sh\n#SBATCH --job-name=amiss-", 0), 0U) << ended.out;
+  EXPECT_NE(ended.out.find("#SBATCH --array=0-1\n"), std::string::npos);
+  EXPECT_NE(ended.out.find("#SBATCH --partition=short\n"), std::string::npos);
+  EXPECT_TRUE(fs::is_empty(folder.path() / "out" / "trials"));
+}
+
 TEST_F(Cli, Worlds) {
   expect_refusal(2, {"tidy", "--world", "flat_9"}, {"there is no such world", "did you mean 'flat_90'?"});
   expect_refusal(2, {"map", "--world", "qqqqqqq"}, {"amiss worlds"});

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <thread>
@@ -87,6 +88,34 @@ TEST_F(Runner, StoppedTrialsLeaveNoResult) {
   EXPECT_TRUE(out.results().empty());
   EXPECT_FALSE(run_trials(out, out.missing(), 2, program(report() + "exit 130\n"), {})) << "the child was interrupted";
   EXPECT_TRUE(out.results().empty());
+}
+
+TEST_F(Runner, TwoProcessesDoNoTrialTwice) {
+  const std::string log = (folder.path() / "log").string();
+  const std::string slow = program("echo $seed >>" + log + "\nsleep 0.05\n" + report());
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(run_trials(out, trials, 2, slow, {}) ? 0 : 1);
+  EXPECT_TRUE(run_trials(out, trials, 2, slow, {}));
+  int status = 1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  const std::string ran = folder.read("log");
+  EXPECT_EQ(std::count(ran.begin(), ran.end(), '\n'), 12);
+  EXPECT_TRUE(fs::is_empty(out.path() / "work"));
+}
+
+TEST_F(Runner, WorkThatIsClearedAwayIsNoFailure) {
+  const std::string once = (folder.path() / "once").string();
+  const std::string cleared =
+      program("if [ ! -e " + once + " ]; then touch " + once + "; sleep 0.3; fi\n" + report() + "exit $?\n");
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(run_trial(out, trials[0], cleared, {}) ? 0 : 1);
+  while (!fs::exists(once)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  out.clear_work();
+  int status = 1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_FALSE(out.result(trials[0]).failed);
 }
 
 TEST_F(Runner, KilledAtAnyTimeNothingIsLostOrDoubled) {
