@@ -10,7 +10,7 @@ namespace amiss::experiment {
 namespace {
 
 constexpr int kNoSuchProgram = 127;
-constexpr std::string_view kQueueForm = "%j|%K|%t|%r";  // name, task, state, reason
+constexpr std::string_view kQueueForm = "%j|%F|%K|%t|%r";  // name, array, task, state, reason
 
 int number_of(std::string_view text, const std::string& where) {
   int number = 0;
@@ -59,6 +59,10 @@ void Slurm::cancel(const std::vector<std::string>& names) const {
   for (const std::string& name : names) (void)output_of({"scancel", "--name=" + name});
 }
 
+void Slurm::cancel_task(const QueuedTask& task) const {
+  (void)output_of({"scancel", fmt::format("{}_{}", task.id, task.task)});
+}
+
 int parse_max_array_size(std::string_view config) {
   std::istringstream lines{std::string(config)};
   for (std::string line; std::getline(lines, line);) {
@@ -78,13 +82,15 @@ std::vector<QueuedTask> parse_queue(std::string_view table) {
     std::istringstream fields(line);
     QueuedTask task;
     std::string number, state;
-    if (!std::getline(fields, task.job, '|') || !std::getline(fields, number, '|') ||
-        !std::getline(fields, state, '|')) {
+    if (!std::getline(fields, task.job, '|') || !std::getline(fields, task.id, '|') ||
+        !std::getline(fields, number, '|') || !std::getline(fields, state, '|')) {
       throw SlurmError(fmt::format("squeue: '{}' is no line of {}", line, kQueueForm));
     }
     std::getline(fields, task.reason);
     task.task = number_of(number, "squeue");
     task.runs = state != "PD";
+    task.given_up = !task.runs && task.reason.find("requeued") != std::string::npos &&
+                    task.reason.find("held") != std::string::npos;
     tasks.push_back(std::move(task));
   }
   return tasks;

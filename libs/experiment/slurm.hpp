@@ -21,9 +21,11 @@ inline constexpr int kUsualMaxArraySize = 1001;  // where nothing else is config
 
 struct QueuedTask {
   std::string job;  // its name
+  std::string id;   // of its array
   int task = 0;     // of the array
   bool runs = false;
-  std::string reason;  // why it does not run yet
+  bool given_up = false;  // held by Slurm itself after it could not be begun: it never runs
+  std::string reason;     // why it does not run yet
 };
 
 class Slurm {
@@ -37,6 +39,7 @@ class Slurm {
   /// The tasks of jobs of these names that wait, run or are about to end.
   [[nodiscard]] std::vector<QueuedTask> queue(const std::vector<std::string>& names) const;
   void cancel(const std::vector<std::string>& names) const;
+  void cancel_task(const QueuedTask& task) const;
 
  private:
   [[nodiscard]] std::string output_of(const std::vector<std::string>& words) const;

@@ -84,6 +84,15 @@ std::string SlurmJobs::submit(const std::vector<Trial>& trials) {
   return "";
 }
 
+std::vector<QueuedTask> SlurmJobs::queue() const {
+  std::vector<QueuedTask> queue = slurm_.queue(names());
+  for (const QueuedTask& task : queue) {
+    if (task.given_up) slurm_.cancel_task(task);
+  }
+  std::erase_if(queue, [](const QueuedTask& task) { return task.given_up; });
+  return queue;
+}
+
 std::vector<Trial> SlurmJobs::without(const std::vector<Trial>& trials, const std::vector<QueuedTask>& queue) const {
   std::set<std::string> queued;
   for (const QueuedTask& task : queue) {

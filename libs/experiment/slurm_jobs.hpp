@@ -36,7 +36,8 @@ class SlurmJobs {
   /// SlurmError when the first array is refused. What Slurm says when it refuses a later one, whose trials then stay
   /// behind, else nothing.
   std::string submit(const std::vector<Trial>& trials);
-  [[nodiscard]] std::vector<QueuedTask> queue() const { return slurm_.queue(names()); }
+  /// What runs or will run. What Slurm gave up is ended, so that it counts as lost.
+  [[nodiscard]] std::vector<QueuedTask> queue() const;
   /// Those that no task of the queue does.
   [[nodiscard]] std::vector<Trial> without(const std::vector<Trial>& trials,
                                            const std::vector<QueuedTask>& queue) const;

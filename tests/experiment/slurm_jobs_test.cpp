@@ -34,7 +34,7 @@ struct SlurmJobsTest : StandInExperiment {
     return {out, program, options, [this](const std::vector<std::string>& words) { return call(words); }};
   }
   [[nodiscard]] static std::string line(const std::string& name, int task) {
-    return name + "|" + std::to_string(task) + "|R|None\n";
+    return name + "|7|" + std::to_string(task) + "|R|None\n";
   }
 };
 
@@ -71,6 +71,14 @@ TEST_F(SlurmJobsTest, FindsItsJobsAgain) {
   for (const int i : {2, 3, 8, 9}) EXPECT_FALSE(ids.contains(out.trials()[static_cast<std::size_t>(i)].id));
   EXPECT_EQ(second.submit({out.trials()[0]}), "");
   EXPECT_EQ(second.names().size(), 4U) << "a number of its own";
+}
+
+TEST_F(SlurmJobsTest, WhatSlurmGaveUpIsEndedAndLost) {
+  SlurmJobs some = jobs();
+  (void)some.submit(out.trials());
+  queue = some.names()[0] + "|7|1|PD|launch failed requeued held\n";
+  EXPECT_TRUE(some.queue().empty());
+  EXPECT_EQ(queue, "") << "ended";
 }
 
 TEST_F(SlurmJobsTest, AnotherFolderHasOtherNames) {

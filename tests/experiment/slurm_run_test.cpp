@@ -94,6 +94,14 @@ TEST_F(SlurmStandIn, SlurmThatDoesNotAnswerIsWaitedFor) {
       << all_told();
 }
 
+TEST_F(SlurmStandIn, WhatSlurmGaveUpIsHandedOverAgain) {
+  accept(
+      "if [ ! -e $state/once ]; then touch $state/once; name=$(sed -n 's/^#SBATCH --job-name=//p' \"$2\")\n"
+      "echo \"$name|7|0|PD|launch failed requeued held\" >$state/queue; echo 7; exit; fi\n");
+  EXPECT_TRUE(run_on_slurm(out, program, quick(12), hooks())) << all_told();
+  EXPECT_FALSE(fs::exists(folder.path() / "queue"));
+}
+
 TEST_F(SlurmStandIn, StoppedLeavesItsJobsAndSaysSo) {
   accept("touch $state/once; echo 1; exit\n");
   RunHooks stopping = hooks();
@@ -105,6 +113,7 @@ TEST_F(SlurmStandIn, StoppedLeavesItsJobsAndSaysSo) {
 
 /// A real cluster of two nodes on loopback.
 struct SlurmCluster : StandInExperiment {
+  static constexpr auto kLimit = 120s;
   static inline std::unique_ptr<test::TemporaryFolder> place;
   static inline std::unique_ptr<Variable> configuration;
 
@@ -134,15 +143,26 @@ struct SlurmCluster : StandInExperiment {
       GTEST_SKIP() << "Slurm is not here; `apt-get install --no-install-recommends slurm-wlm munge` brings it";
     }
   }
+  /// A run that hangs is a failure, not a test that never ends.
+  RunHooks limited() {
+    RunHooks limited = hooks();
+    limited.stop = [until = std::chrono::steady_clock::now() + kLimit] {
+      return std::chrono::steady_clock::now() > until;
+    };
+    return limited;
+  }
   static void wait_for(const Folder& out, std::size_t results) {
-    while (out.trials().size() - out.missing().size() < results) std::this_thread::sleep_for(50ms);
+    const auto until = std::chrono::steady_clock::now() + kLimit;
+    while (out.trials().size() - out.missing().size() < results && std::chrono::steady_clock::now() < until) {
+      std::this_thread::sleep_for(50ms);
+    }
   }
 };
 
 TEST_F(SlurmCluster, KilledDaemonsLoseNothing) {
   auto expected = expected_files();
   const Folder out = begin("out", 0.4);
-  auto run = std::async(std::launch::async, [&] { return run_on_slurm(out, program, quick(1), hooks()); });
+  auto run = std::async(std::launch::async, [&] { return run_on_slurm(out, program, quick(1), limited()); });
   wait_for(out, 2);
   for (const char* daemon : {"sim1", "slurmctld"}) EXPECT_EQ(cluster("kill", daemon).status, 0);
   std::this_thread::sleep_for(1s);
@@ -159,7 +179,7 @@ TEST_F(SlurmCluster, AKilledRunFindsItsJobsAgain) {
   wait_for(out, 1);
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
-  EXPECT_TRUE(run_on_slurm(out, program, quick(3), hooks())) << all_told();
+  EXPECT_TRUE(run_on_slurm(out, program, quick(3), limited())) << all_told();
   const auto times = ran(out);
   EXPECT_EQ(times.size(), 12U);
   for (const auto& [id, count] : times) EXPECT_EQ(count, 1) << id;
@@ -168,7 +188,7 @@ TEST_F(SlurmCluster, AKilledRunFindsItsJobsAgain) {
 
 TEST_F(SlurmCluster, CancelledTasksAreHandedOverAgain) {
   const Folder out = begin("out", 0.2);
-  auto run = std::async(std::launch::async, [&] { return run_on_slurm(out, program, quick(3), hooks()); });
+  auto run = std::async(std::launch::async, [&] { return run_on_slurm(out, program, quick(3), limited()); });
   wait_for(out, 1);
   const std::string user = std::to_string(::getuid());
   EXPECT_EQ(run_program({"scancel", "--user=" + user}, "", kGoOn).status, 0);
@@ -182,7 +202,7 @@ TEST_F(SlurmCluster, SaysWhatSlurmRefuses) {
   SlurmOptions options = quick(3);
   options.sbatch = {"--partition=none"};
   EXPECT_NE(test::sentence_of<SlurmError>([&] {
-              (void)run_on_slurm(out, program, options, hooks());
+              (void)run_on_slurm(out, program, options, limited());
             }).find("sbatch: error: Batch job submission failed: Invalid partition name specified"),
             std::string::npos);
 }

@@ -26,30 +26,37 @@ TEST(Slurm, ReadsHowLargeAnArrayMayBe) {
 }
 
 TEST(Slurm, ReadsTheQueue) {
-  const auto tasks = parse_queue("amiss-x-1|3|PD|Resources\namiss-x-2|0|R|None\namiss-x-2|1|CG|\n");
-  ASSERT_EQ(tasks.size(), 3U);
+  const auto tasks = parse_queue(
+      "amiss-x-1|7|3|PD|Resources\namiss-x-2|8|0|R|None\namiss-x-2|8|1|CG|\n"
+      "amiss-x-2|8|2|PD|launch failed requeued held\namiss-x-2|8|3|PD|JobHeldUser\n");
+  ASSERT_EQ(tasks.size(), 5U);
   EXPECT_EQ(tasks[0].job, "amiss-x-1");
+  EXPECT_EQ(tasks[0].id, "7");
   EXPECT_EQ(tasks[0].task, 3);
   EXPECT_FALSE(tasks[0].runs);
   EXPECT_EQ(tasks[0].reason, "Resources");
   EXPECT_TRUE(tasks[1].runs);
   EXPECT_TRUE(tasks[2].runs) << "about to end";
+  EXPECT_TRUE(tasks[3].given_up);
+  for (const int i : {0, 1, 2, 4}) EXPECT_FALSE(tasks[static_cast<std::size_t>(i)].given_up) << i;
   EXPECT_TRUE(parse_queue("").empty());
   EXPECT_THROW((void)parse_queue("slurm says hello\n"), SlurmError);
-  EXPECT_THROW((void)parse_queue("amiss-x-1|N/A|R|\n"), SlurmError);
+  EXPECT_THROW((void)parse_queue("amiss-x-1|7|N/A|R|\n"), SlurmError);
 }
 
 TEST(Slurm, CallsItsCommands) {
   Said said;
   EXPECT_TRUE(said.slurm().queue({}).empty());
   EXPECT_TRUE(said.calls.empty()) << "no name would stand for all jobs";
-  said.ended.out = "a|0|R|None\n";
+  said.ended.out = "a|7|0|R|None\n";
   EXPECT_EQ(said.slurm().queue({"a", "b"}).size(), 1U);
   EXPECT_EQ(said.calls.back().back(), "--name=a,b");
   said.slurm().submit("1.sh");
   EXPECT_EQ(said.calls.back(), (std::vector<std::string>{"sbatch", "--parsable", "1.sh"}));
   said.slurm().cancel({"a", "b"});
   EXPECT_EQ(said.calls.back(), (std::vector<std::string>{"scancel", "--name=b"}));
+  said.slurm().cancel_task(QueuedTask{"a", "7", 3, false, true, "held"});
+  EXPECT_EQ(said.calls.back(), (std::vector<std::string>{"scancel", "7_3"}));
 }
 
 TEST(Slurm, TellsWhatWentWrong) {
