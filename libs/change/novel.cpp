@@ -77,6 +77,14 @@ std::vector<NovelObject> objects_of(const Scene& scene, const internal::ThinnedS
   return objects;
 }
 
+void check_method(const std::string& method) {
+  const auto& methods = detection_methods();
+  if (std::find(methods.begin(), methods.end(), method) != methods.end()) return;
+  std::string all;
+  for (const std::string& m : methods) all += (all.empty() ? "" : ", ") + m;
+  throw ArgumentError("'" + method + "' is no method of detection; allowed are " + all + ".");
+}
+
 }  // namespace
 
 const std::vector<std::string>& detection_methods() {
@@ -85,15 +93,21 @@ const std::vector<std::string>& detection_methods() {
   return kMethods;
 }
 
-Detection detect_novel(const Scene& reference, const Scene& current, const std::string& method,
-                       const NovelParams& params) {
-  const auto& methods = detection_methods();
-  if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
-    std::string all;
-    for (const std::string& m : methods) all += (all.empty() ? "" : ", ") + m;
-    throw ArgumentError("'" + method + "' is no method of detection; allowed are " + all + ".");
-  }
-  const RoomPair pair = internal::room_pair(reference, current, params);
+struct NovelDetector::Rooms {
+  const Scene& reference;
+  const Scene& current;
+  NovelParams params;
+  RoomPair pair;
+};
+
+NovelDetector::NovelDetector(const Scene& reference, const Scene& current, const NovelParams& params)
+    : rooms_(new Rooms{reference, current, params, internal::room_pair(reference, current, params)}) {}
+
+NovelDetector::~NovelDetector() = default;
+
+Detection NovelDetector::detect(const std::string& method) const {
+  check_method(method);
+  const auto& [reference, current, params, pair] = *rooms_;
   Found found;
   if (method == "local-verification") found = locally_verified(pair, From::kPlanesAndLabels, params);
   if (method == "no-planes") found = locally_verified(pair, From::kLabels, params);
@@ -110,6 +124,12 @@ Detection detect_novel(const Scene& reference, const Scene& current, const std::
   out.shift_m = T.translation().cast<double>();
   out.turn_rad = static_cast<double>(std::atan2(T.linear()(1, 0), T.linear()(0, 0)));
   return out;
+}
+
+Detection detect_novel(const Scene& reference, const Scene& current, const std::string& method,
+                       const NovelParams& params) {
+  check_method(method);
+  return NovelDetector(reference, current, params).detect(method);
 }
 
 }  // namespace amiss::change

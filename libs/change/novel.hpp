@@ -6,6 +6,7 @@
 // Repeatable: random streams have fixed seeds.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -78,6 +79,22 @@ struct Detection {
 
 /// "local-verification", "no-planes", "no-verification", "semantic", "octomap", "metaroom".
 [[nodiscard]] const std::vector<std::string>& detection_methods();
+
+/// Lays the rooms on one another once and then detects by one method after another.
+class NovelDetector {
+ public:
+  /// Both scenes must outlive it.
+  NovelDetector(const Scene& reference, const Scene& current, const NovelParams& params = {});
+  ~NovelDetector();
+  NovelDetector(const NovelDetector&) = delete;
+  NovelDetector& operator=(const NovelDetector&) = delete;
+
+  [[nodiscard]] Detection detect(const std::string& method) const;
+
+ private:
+  struct Rooms;
+  std::unique_ptr<Rooms> rooms_;
+};
 
 [[nodiscard]] Detection detect_novel(const Scene& reference, const Scene& current, const std::string& method,
                                      const NovelParams& params = {});

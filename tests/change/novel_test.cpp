@@ -144,11 +144,12 @@ TEST(Novel, VariantsUseWhatTheySay) {
   const std::size_t before = now.size();
   add_can(now, 0.5F, 0.1F);
   const Scene reference = furnished(1).scene(true), current = now.scene(true);
-  expect_found(detect_novel(reference, current, "no-planes"), now.since(before));
-  EXPECT_EQ(detect_novel(reference, current, "semantic").objects.size(), 3U);         // lamp, keyboard, can
-  EXPECT_EQ(detect_novel(reference, current, "no-verification").objects.size(), 3U);  // the table's rim is too large
+  const NovelDetector detector(reference, current);
+  expect_found(detector.detect("no-planes"), now.since(before));
+  EXPECT_EQ(detector.detect("semantic").objects.size(), 3U);         // lamp, keyboard, can
+  EXPECT_EQ(detector.detect("no-verification").objects.size(), 3U);  // the table's rim is too large
   EXPECT_TRUE(detect_novel(reference, now.scene(), "semantic").objects.empty());      // no labels, no otherprop
-  expect_found(detect_novel(reference, current, "metaroom"), now.since(before));
+  expect_found(detector.detect("metaroom"), now.since(before));
 }
 
 TEST(Novel, OctomapSeesLargeThingsOnly) {
