@@ -30,6 +30,8 @@ void add_experiment_command(CLI::App& app, int& exit_status);
 void add_dataset_command(CLI::App& app, int& exit_status);
 void add_map_command(CLI::App& app, int& exit_status);
 void add_diff_command(CLI::App& app, int& exit_status);
+void add_detect_command(CLI::App& app, int& exit_status);
+void add_evaluate_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);
 void add_reconstruct_command(CLI::App& app, int& exit_status);
 void add_scenario_command(CLI::App& app, int& exit_status);

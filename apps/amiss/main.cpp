@@ -46,6 +46,8 @@ int run(int argc, char** argv) {
   add_dataset_command(app, exit_status);
   add_map_command(app, exit_status);
   add_diff_command(app, exit_status);
+  add_detect_command(app, exit_status);
+  add_evaluate_command(app, exit_status);
   add_plan_command(app, exit_status);
   add_reconstruct_command(app, exit_status);
   add_scenario_command(app, exit_status);
