@@ -27,15 +27,16 @@ void add_make(CLI::App& dataset, int& exit_status) {
 
 void add_annotate(CLI::App& dataset, int& exit_status) {
   struct Arguments {
-    std::string recording, cloud, out;
+    std::string recording, cloud, out, poses;
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App* annotate = dataset.add_subcommand("annotate", "which point of a reconstruction belongs to which object");
   annotate->add_option("recording", a->recording, "folder of a recording that `make` wrote")->required();
   annotate->add_option("cloud", a->cloud, "PLY or PCD, in the frame of the recording's poses")->required();
   annotate->add_option("--out", a->out, "folder of full rooms in ObChange's layout: a scene more of a room")->required();
+  annotate->add_option("--poses", a->poses, "TUM trajectory that the cloud was made with [estimated.txt]");
   annotate->callback([a, &exit_status] {
-    annotate_cloud(a->recording, a->cloud, a->out);
+    annotate_cloud(a->recording, a->cloud, a->out, a->poses);
     exit_status = kGoalMet;
   });
 }

@@ -31,10 +31,12 @@ Scene scene_of(const std::filesystem::path& recording) {
 }  // namespace
 
 void annotate_cloud(const std::filesystem::path& recording, const std::filesystem::path& cloud,
-                    const std::filesystem::path& rooms) {
+                    const std::filesystem::path& rooms, const std::filesystem::path& poses) {
   const Scene scene = scene_of(recording);
   const dataset::CloudFile file = dataset::load_cloud(cloud);
-  dataset::save_scene(rooms / scene.room, scene.name, file, dataset::ground_truth_of(file.cloud(), recording));
+  constexpr std::size_t kEvery = 2;
+  const dataset::GroundTruth truth = dataset::ground_truth_of(file.cloud(), recording, kEvery, poses);
+  dataset::save_scene(rooms / scene.room, scene.name, file, truth);
 }
 
 }  // namespace amiss::app

@@ -5,9 +5,10 @@
 
 namespace amiss::app {
 
-/// Recording's folder, cloud (PLY or PCD, in the frame of the recording's poses) -> a scene more in the folder of full
-/// rooms (dataset/full_room.hpp). InputError where the recording has no ground truth or does not say of what it is.
+/// Recording's folder, cloud (PLY or PCD) -> a scene more in the folder of full rooms (dataset/full_room.hpp). `poses`: the
+/// trajectory that the cloud was made with, where it is not the recording's. InputError where the recording has no ground
+/// truth or does not say of what it is.
 void annotate_cloud(const std::filesystem::path& recording, const std::filesystem::path& cloud,
-                    const std::filesystem::path& rooms);
+                    const std::filesystem::path& rooms, const std::filesystem::path& poses = {});
 
 }  // namespace amiss::app

@@ -32,11 +32,14 @@ CloudFile GroundTruth::labelled(const Cloud<Map>& cloud) const {
   return file;
 }
 
-GroundTruth ground_truth_of(const Cloud<Map>& cloud, const std::filesystem::path& recording, std::size_t every) {
+GroundTruth ground_truth_of(const Cloud<Map>& cloud, const std::filesystem::path& recording, std::size_t every,
+                            const std::filesystem::path& poses) {
   GroundTruth truth;
   truth.instances = load_instances(recording / "truth" / "instances.tsv");
   const InstanceImages images(recording / "truth");
-  const auto frames = open_recording(recording);
+  RecordingOptions options;
+  options.poses = poses;
+  const auto frames = open_recording(recording, options);
   InstanceVotes votes(cloud.points);
   for (std::size_t i = 0; i < frames->size(); i += std::max<std::size_t>(1, every)) {
     const PosedFrame frame = frames->load(i);

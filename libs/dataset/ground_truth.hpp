@@ -23,8 +23,8 @@ struct GroundTruth {
   [[nodiscard]] CloudFile labelled(const Cloud<Map>& cloud) const;
 };
 
-/// Every `every`-th frame votes.
+/// Every `every`-th frame votes. `poses`: the trajectory that the cloud was made with, where it is not the recording's.
 [[nodiscard]] GroundTruth ground_truth_of(const Cloud<Map>& cloud, const std::filesystem::path& recording,
-                                          std::size_t every = 2);
+                                          std::size_t every = 2, const std::filesystem::path& poses = {});
 
 }  // namespace amiss::dataset

@@ -62,7 +62,7 @@ std::unique_ptr<Recording> open_folder(const fs::path& folder, const RecordingOp
   double usual_scale = kMillimetres;
   if (is_tum_folder(folder)) {
     format = "TUM RGB-D folder";
-    index = index_tum(folder);
+    index = index_tum(folder, options.poses);
     usual_scale = kTumDepthScale;
   } else if (is_open3d_folder(folder)) {
     format = "Open3D folder";

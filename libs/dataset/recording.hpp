@@ -34,6 +34,7 @@ struct RecordingOptions {
   std::optional<double> depth_scale;           // units of the depth images for a metre: 1000 for mm, TUM's is 5000
   std::string colour_topic = {}, depth_topic = {};  // of a bag; empty: the HSR's, else the only one of its kind
   std::string map_frame = "map";               // of a bag: in which the poses are
+  std::filesystem::path poses = {};            // of a TUM folder: a trajectory instead of its own
 };
 
 class Recording {

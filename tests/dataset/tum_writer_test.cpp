@@ -58,6 +58,9 @@ TEST(TumWriter, EstimatedPosesAreReadAndTrueOnesStandApart) {
   writer.finish();
   writer.save_associations();
   EXPECT_TRUE(open_recording(folder.path() / "run")->load(1).T_map_camera.T.isApprox(frame_at(1).T_map_camera.T, 1e-12));
+  RecordingOptions true_poses;
+  true_poses.poses = folder.path() / "run" / "groundtruth.txt";
+  EXPECT_TRUE(open_recording(folder.path() / "run", true_poses)->load(1).T_map_camera.T.isApprox(T_map_camera_true.T));
   const auto truth = parse_tum_trajectory(load_bytes(folder.path() / "run" / "groundtruth.txt"), "groundtruth.txt");
   ASSERT_EQ(truth.size(), 2U);
   EXPECT_TRUE(truth[1].T_map_camera.T.isApprox(T_map_camera_true.T, 1e-12));

@@ -21,7 +21,7 @@ struct FolderIndex {
 };
 
 [[nodiscard]] bool is_tum_folder(const std::filesystem::path& folder);
-[[nodiscard]] FolderIndex index_tum(const std::filesystem::path& folder);
+[[nodiscard]] FolderIndex index_tum(const std::filesystem::path& folder, const std::filesystem::path& poses = {});
 [[nodiscard]] bool is_7scenes_folder(const std::filesystem::path& folder);
 [[nodiscard]] FolderIndex index_7scenes(const std::filesystem::path& folder);
 [[nodiscard]] bool is_open3d_folder(const std::filesystem::path& folder);

@@ -107,10 +107,11 @@ bool is_tum_folder(const std::filesystem::path& folder) {
   return has("groundtruth.txt") || has("associations.txt") || (has("rgb.txt") && has("depth.txt"));
 }
 
-FolderIndex index_tum(const std::filesystem::path& folder) {
+FolderIndex index_tum(const std::filesystem::path& folder, const std::filesystem::path& poses_file) {
   // What a robot believed comes before what was true: that is for those who score.
   const bool estimated = std::filesystem::exists(folder / "estimated.txt");
-  const std::filesystem::path file = folder / (estimated ? "estimated.txt" : "groundtruth.txt");
+  const std::filesystem::path own = folder / (estimated ? "estimated.txt" : "groundtruth.txt");
+  const std::filesystem::path& file = poses_file.empty() ? own : poses_file;
   const std::vector<StampedPose> poses = parse_tum_trajectory(load_bytes(file), file.string());
   std::size_t colour_images = 0;
   FolderIndex index;
