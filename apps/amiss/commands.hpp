@@ -35,6 +35,7 @@ void add_evaluate_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);
 void add_reconstruct_command(CLI::App& app, int& exit_status);
 void add_scenario_command(CLI::App& app, int& exit_status);
+void add_replay_command(CLI::App& app, int& exit_status);
 void add_view_command(CLI::App& app, int& exit_status);
 void add_worlds_command(CLI::App& app, int& exit_status);
 void add_objects_command(CLI::App& app, int& exit_status);

@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   add_reconstruct_command(app, exit_status);
   add_scenario_command(app, exit_status);
   add_view_command(app, exit_status);
+  add_replay_command(app, exit_status);
   add_worlds_command(app, exit_status);
   add_objects_command(app, exit_status);
   add_init_command(app, exit_status);

@@ -53,6 +53,8 @@ void add_tidy_command(CLI::App& app, int& exit_status) {
       ->expected(3)
       ->check(CLI::Range(-1e4, 1e4));
   tidy->add_option("--threads", a->options.threads, "1 or 2; the result is the same")->check(CLI::Range(1, 2));
+  tidy->add_option("--record", a->options.record, "recording.mcap (ROS 2), recording.rawlog (MRPT) in the run folder")
+      ->check(CLI::IsMember({"mcap", "rawlog", "both"}));
   add_view_options(*tidy, a->options.view, true);
   tidy->add_flag("--json", a->json, "print report.json and nothing else on standard output");
   tidy->add_flag("--quiet", a->options.quiet, "no progress, no table");

@@ -22,6 +22,7 @@
 #include "start_pose.hpp"
 #include "tidy_observer.hpp"
 #include "tidy_page.hpp"
+#include "tidy_recording.hpp"
 #include "world/catalogue.hpp"
 
 namespace amiss::app {
@@ -181,14 +182,15 @@ struct Stage {
   score::Referee& referee;
   const report::RunFolder& folder;
   TidyPage& page;
+  TidyRecording& recording;
 };
 
 std::unique_ptr<mission::SearchMethod> make_search(const TidyOptions& options, const Settings& settings,
                                                    const Stage& stage, const plan::Domain& domain,
                                                    knowledge::KnowledgeBase& knowledge, const mission::Sinks& sinks) {
   const auto make = [&]<class Method>(std::type_identity<Method>) -> std::unique_ptr<mission::SearchMethod> {
-    return std::make_unique<Method>(stage.simulator, stage.prepared.reference, knowledge, domain, settings.mission,
-                                    options.seed, options.until_found, sinks);
+    return std::make_unique<Method>(stage.recording.robot(), stage.prepared.reference, knowledge, domain,
+                                    settings.mission, options.seed, options.until_found, sinks);
   };
   if (options.method == report::kStatic) return make(std::type_identity<mission::StaticSearch>());
   return make(std::type_identity<mission::Search>());
@@ -197,7 +199,7 @@ std::unique_ptr<mission::SearchMethod> make_search(const TidyOptions& options, c
 /// The search itself, and the run folder's contents. Returns the artefacts that the digest covers.
 std::string search(const TidyOptions& options, const Settings& settings, const Stage& stage, ProgressLine& progress,
                    report::TidyReport& report) {
-  const auto& [scene, prepared, simulator, referee, folder, page] = stage;
+  const auto& [scene, prepared, simulator, referee, folder, page, recording] = stage;
   TidyObserver observer(simulator, referee, folder, progress);
   mission::Sinks sinks = observer.sinks(options.until_found);
   page.attach(sinks);
@@ -206,13 +208,15 @@ std::string search(const TidyOptions& options, const Settings& settings, const S
   folder.save("plans/domain.pddl", load_bytes(domain_file));
   knowledge::KnowledgeBase knowledge(folder.path() / "knowledge.sqlite", settings.mission.knowledge);
   const auto search = make_search(options, settings, stage, domain, knowledge, sinks);
-  page.begin({report.version, report.world, report.method, report.seed, &prepared.reference.floor,
-              &prepared.reference.mapped, &scene.model, settings.referee.max_error_m, settings.referee.min_cover,
-              settings.referee.min_purity},
-             {simulator, referee, lifted(prepared.T_world_map, settings), knowledge},
-             [&]() -> const mapping::VoxelMap& { return search->voxels(); });
+  const auto voxels = [&]() -> const mapping::VoxelMap& { return search->voxels(); };
+  page.begin(
+      {report.version, report.world, report.method, report.seed, &prepared.reference.floor, &prepared.reference.mapped,
+       &scene.model, settings.referee.max_error_m, settings.referee.min_cover, settings.referee.min_purity},
+      {simulator, referee, lifted(prepared.T_world_map, settings), knowledge}, voxels);
+  recording.attach(sinks, knowledge, voxels);
   const mission::SearchReport result = search->run();
   page.settle();
+  recording.close();
   knowledge.close();
   progress.clear();
 
@@ -261,8 +265,12 @@ TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
   Worker worker(options.threads > 1);
   const auto simulator = make_simulator(options, settings, scene, catalogue, scattered, worker);
   score::Referee referee = make_referee(options, settings, scene, scattered, simulator->truth(), prepared->T_world_map);
+  TidyRecording recording(*simulator, folder,
+                          {options.record, options.seed, options.method, settings.mission.perception.floor_clearance_m,
+                           prepared->reference, scene.world, options.threads > 1});
   const std::string artefacts =
-      search(options, settings, {scene, *prepared, *simulator, referee, folder, *outcome.page}, progress, outcome.report);
+      search(options, settings, {scene, *prepared, *simulator, referee, folder, *outcome.page, recording}, progress,
+             outcome.report);
   outcome.report.wall_s = watch.seconds_s();
   finish(folder, options, outcome, artefacts);
   return outcome;

@@ -29,6 +29,7 @@ struct TidyOptions {
   int threads = 2;
   bool quiet = false;
   ViewOptions view;
+  std::string record;  // mcap, rawlog, both: recordings in the run folder
 };
 
 class TidyPage;

@@ -4,6 +4,15 @@
 
 namespace amiss::mission {
 
+std::vector<knowledge::Sighting> sightings(const std::vector<change::Region>& regions) {
+  std::vector<knowledge::Sighting> sightings;
+  for (const change::Region& r : regions) {
+    const Eigen::Vector3d middle(r.centre_m.x(), r.centre_m.y(), 0.5 * (r.z_low_m + r.z_high_m));
+    sightings.push_back({middle, {r.centre_m, r.radius_m, r.z_low_m, r.z_high_m}, static_cast<int>(r.voxels.size())});
+  }
+  return sightings;
+}
+
 Search::Search(robot::Robot& robot, const Reference& reference, knowledge::KnowledgeBase& knowledge,
                const plan::Domain& domain, const Params& params, std::uint64_t seed, bool keep_searching,
                const Sinks& sinks)
@@ -63,14 +72,9 @@ bool Search::compare() {
   const change::Difference& difference = differencer_.update(perception_.voxels());
   const auto regions = change::regions(difference.appeared, perception_.voxels(), params_.region);
   sinks_.compared({perception_.now(), sinks_.wall_clock_ms() - before, &difference});
-  std::vector<knowledge::Sighting> sightings;
-  for (const change::Region& r : regions) {
-    const Eigen::Vector3d middle(r.centre_m.x(), r.centre_m.y(), 0.5 * (r.z_low_m + r.z_high_m));
-    sightings.push_back({middle, {r.centre_m, r.radius_m, r.z_low_m, r.z_high_m}, static_cast<int>(r.voxels.size())});
-  }
   // The difference speaks of the whole map: a region that is not in it was looked at again and is gone.
   const auto changes = knowledge_.merge(
-      sightings, [](const knowledge::Region&) { return true; }, perception_.now());
+      sightings(regions), [](const knowledge::Region&) { return true; }, perception_.now());
   next_comparison_ = perception_.now() + duration_of(params_.search.compare_s);
   report_progress();
   return std::any_of(changes.begin(), changes.end(),

@@ -8,6 +8,9 @@
 
 namespace amiss::mission {
 
+/// Regions of the difference as the knowledge base takes them.
+[[nodiscard]] std::vector<knowledge::Sighting> sightings(const std::vector<change::Region>& regions);
+
 class Search : public SearchMethod {
  public:
   Search(robot::Robot& robot, const Reference& reference, knowledge::KnowledgeBase& knowledge,

@@ -32,6 +32,18 @@ std::string_view to_string(SearchEnd end) {
   return "";
 }
 
+localize::Localizer search_localizer(const FloorGrid& floor, const localize::LocalizerParams& params,
+                                     std::uint64_t seed) {
+  return {floor, {}, {}, params, RandomStream(seed, "search/localizer")};
+}
+
+void add_objects(knowledge::KnowledgeBase& knowledge, int region, Stamp frame,
+                 const std::vector<segment::Segment>& segments) {
+  for (const segment::Segment& s : segments) {
+    knowledge.add_object({0, region, frame, s.centre_map, s.size_m, s.points});
+  }
+}
+
 SearchMethod::SearchMethod(robot::Robot& robot, const Reference& reference, knowledge::KnowledgeBase& knowledge,
                            const plan::Domain& domain, const Params& params, std::uint64_t seed, bool keep_searching,
                            const Sinks& sinks)
@@ -41,9 +53,7 @@ SearchMethod::SearchMethod(robot::Robot& robot, const Reference& reference, know
       keep_searching_(keep_searching),
       sinks_(sinks),
       static_obstacles_(reference.floor, params.voxels.resolution_m),
-      perception_(robot,
-                  std::make_unique<LocalizerTracker>(localize::Localizer(reference.floor, {}, {}, params.localizer,
-                                                                         RandomStream(seed, "search/localizer"))),
+      perception_(robot, std::make_unique<LocalizerTracker>(search_localizer(reference.floor, params.localizer, seed)),
                   reference.floor, params.voxels, params.perception, sinks),
       navigator_(perception_, reference.floor, {&static_obstacles_.obstacles()}, params.navigation,
                  RandomStream(seed, "search/paths")),
@@ -181,9 +191,7 @@ bool SearchMethod::segment(int region, const robot::HeadState& gaze, double cost
   report_.segmentation_cost += cost;
   if (!goes_on) return false;
   if (region > 0) knowledge_.mark_examined(region, perception_.now());
-  for (const segment::Segment& s : result.segments) {
-    knowledge_.add_object({0, region, frame.captured.frame.stamp, s.centre_map, s.size_m, s.points});
-  }
+  add_objects(knowledge_, region, frame.captured.frame.stamp, result.segments);
   sinks_.examined(
       {region, perception_.now(), &frame.captured.frame, frame.T_map_camera, &result.segments, wall_ms, cost});
   return true;

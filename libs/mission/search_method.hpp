@@ -32,6 +32,13 @@ struct SearchReport {
   Stamp ended;
 };
 
+/// The particle filter of a search; its random stream is named after it.
+[[nodiscard]] localize::Localizer search_localizer(const FloorGrid& floor, const localize::LocalizerParams& params,
+                                                   std::uint64_t seed);
+/// What an examination of `region` showed (0: the whole frame).
+void add_objects(knowledge::KnowledgeBase& knowledge, int region, Stamp frame,
+                 const std::vector<segment::Segment>& segments);
+
 class SearchMethod {
  public:
   /// `keep_searching`: when all is explored, look again until the mission is stopped or out of time.

@@ -47,6 +47,7 @@ const std::map<std::string, std::string> kTestedBy = {
     {"mission/static_search", "apps/tidy_test.cpp"},
     {"mission/search_views", "apps/tidy_test.cpp"},
     {"mission/mapping_run", "apps/tidy_test.cpp"},
+    {"recording/replay", "apps/record_test.cpp"},
     {"mission/tour", "apps/dataset_make_test.cpp"},
 };
 

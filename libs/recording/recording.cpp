@@ -1,0 +1,57 @@
+#include "recording/recording.hpp"
+
+#include "core/result.hpp"
+
+namespace amiss::recording {
+
+Recording::Recording(const std::filesystem::path& file) : path_(file), reader_(file) {
+  while (const auto message = reader_.next()) {
+    if (message->channel->schema != "amiss_msgs/msg/Setup") continue;
+    setup_ = parse_setup(message->data);
+    return;
+  }
+  throw InputError(file.string() + ": is no recording of a run (`amiss tidy --record mcap` makes one)");
+}
+
+std::optional<Entry> Recording::next() {
+  while (const auto message = reader_.next()) {
+    const std::string& topic = message->channel->topic;
+    try {
+      if (topic == "/scan") parse_ranges(message->data, scan_.emplace());
+      if (topic == "/camera/camera_info") parse_camera_info(message->data, camera_);
+      if (topic == "/camera/depth/image_raw") {
+        frame_.emplace().intrinsics = camera_;
+        parse_depth(message->data, *frame_);
+      }
+      if (topic == "/amiss/segmented") segmented_ = message->data;
+      if (topic == "/amiss/observation") return observation_of(message->data);
+      if (topic == "/amiss/decisions") {
+        const Decision decision = parse_decision(message->data);
+        if (decision.kind == Decision::Kind::kSegmenting) return Segmenting{segmented_};
+        return decision;
+      }
+    } catch (const InputError& e) {
+      throw InputError(path_.string() + ": " + topic + " at " + std::to_string(seconds(message->stamp)) +
+                       " s: " + e.what());
+    }
+  }
+  return std::nullopt;
+}
+
+robot::Observation Recording::observation_of(std::string_view message) {
+  robot::Observation observation = parse_observation(message);
+  if (observation.scan) {
+    if (!scan_) throw InputError("the scan of an observation is missing");
+    observation.scan->ranges_m = std::move(scan_->ranges_m);
+  }
+  if (observation.frame) {
+    if (!frame_) throw InputError("the frame of an observation is missing");
+    frame_->stamp = observation.frame->frame.stamp;
+    observation.frame->frame = std::move(*frame_);
+  }
+  scan_.reset();
+  frame_.reset();
+  return observation;
+}
+
+}  // namespace amiss::recording

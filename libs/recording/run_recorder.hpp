@@ -1,0 +1,103 @@
+// Records a run as MCAP while it goes on: what the robot's sensors said, exactly, and what the stages made of it, as
+// ROS 2 messages. A simulated second becomes a chunk and is in the file before the next one ends: a run that is killed
+// loses that second at most. Pictures and chunks are compressed beside the run. Recording changes nothing in a run.
+//
+//   RunRecorder recorder(file, setup, threaded);
+//   RecordingRobot robot(simulator, [&](const auto& o) { recorder.record(o); });  // what the mission gets
+//   recorder.attach(sinks, knowledge);
+//   ... the run ...
+//   recorder.close();
+// std::runtime_error where the file cannot be written. Topics: README.md
+#pragma once
+
+#include <functional>
+#include <future>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/worker.hpp"
+#include "knowledge/knowledge_base.hpp"
+#include "mapping/voxel_map.hpp"
+#include "mission/sinks.hpp"
+#include "recording/mcap_writer.hpp"
+#include "robot/model.hpp"
+#include "robot/robot.hpp"
+
+namespace amiss::recording {
+
+/// What a replay begins with.
+struct RunSetup {
+  std::uint64_t seed = 0;
+  std::string method;
+  double floor_clearance_m = 0.0;
+  const robot::Model* model = nullptr;           // outlives the recorder
+  const FloorGrid* floor = nullptr;              // of the reference; lives during the constructor
+  std::map<std::string, std::string> documents;  // by name: parameters, the world, the files of the reference
+};
+
+class RunRecorder {
+ public:
+  RunRecorder(const std::filesystem::path& file, const RunSetup& setup, bool threaded);
+  ~RunRecorder();
+  RunRecorder(const RunRecorder&) = delete;
+  RunRecorder& operator=(const RunRecorder&) = delete;
+
+  void record(const robot::Observation& observation);
+  /// Listens to these sinks too; what was attached before is called first. The recorder outlives the sinks, and the
+  /// knowledge and the map that it is shown.
+  void attach(mission::Sinks& sinks, const knowledge::KnowledgeBase& knowledge,
+              std::function<const mapping::VoxelMap&()> voxels);
+  void close();
+
+ private:
+  struct Pending {
+    ChannelId channel = 0;
+    Stamp stamp;
+    std::string message;  // or a picture that is still to be compressed
+    RgbdFrame colour;
+  };
+  ChannelId channel(const std::string& topic, const std::string& type);
+  void put(const char* topic, const char* type, Stamp stamp, std::string message);
+  void record_frame(const RgbdFrame& frame);
+  void on_step(const mission::StepEvent& event);
+  void on_decision(std::uint8_t kind, int region, Stamp stamp);
+  void write_knowledge();
+  void write_map();
+  void flush();
+  void join();
+
+  McapWriter writer_;
+  const robot::Model& model_;
+  double floor_clearance_m_;
+  std::map<std::string, ChannelId, std::less<>> channels_;
+  std::vector<Pending> pending_;
+  const knowledge::KnowledgeBase* knowledge_ = nullptr;
+  std::function<const mapping::VoxelMap&()> voxels_;
+  Pose2<Odom, Base> T_odom_base_;
+  Stamp now_, next_flush_, next_map_;
+  std::string told_markers_;
+  std::uint64_t told_revision_ = 0;
+  std::future<void> writing_;
+  Worker worker_;  // the last member, so that it ends before what it works on
+};
+
+/// A robot that somebody listens to.
+class RecordingRobot final : public robot::Robot {
+ public:
+  using Listener = std::function<void(const robot::Observation&)>;
+  RecordingRobot(robot::Robot& robot, Listener listener) : robot_(robot), listener_(std::move(listener)) {}
+  [[nodiscard]] const robot::Model& model() const override { return robot_.model(); }
+  void command(const robot::Command& command) override { robot_.command(command); }
+  robot::Observation observe() override {
+    robot::Observation observation = robot_.observe();
+    listener_(observation);
+    return observation;
+  }
+
+ private:
+  robot::Robot& robot_;
+  Listener listener_;
+};
+
+}  // namespace amiss::recording
