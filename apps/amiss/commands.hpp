@@ -36,6 +36,7 @@ void add_plan_command(CLI::App& app, int& exit_status);
 void add_reconstruct_command(CLI::App& app, int& exit_status);
 void add_scenario_command(CLI::App& app, int& exit_status);
 void add_replay_command(CLI::App& app, int& exit_status);
+void add_semantics_command(CLI::App& app, int& exit_status);
 void add_view_command(CLI::App& app, int& exit_status);
 void add_worlds_command(CLI::App& app, int& exit_status);
 void add_objects_command(CLI::App& app, int& exit_status);

@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   add_plan_command(app, exit_status);
   add_reconstruct_command(app, exit_status);
   add_scenario_command(app, exit_status);
+  add_semantics_command(app, exit_status);
   add_view_command(app, exit_status);
   add_replay_command(app, exit_status);
   add_worlds_command(app, exit_status);

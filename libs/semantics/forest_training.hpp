@@ -17,8 +17,8 @@ struct ForestSamples {
 };
 
 struct ForestTrainingParams {
-  int trees = 40;
-  int draws = 40000;             // samples that a tree sees
+  int trees = 30;
+  int draws = 25000;             // samples that a tree sees
   int depth = 20;                // at most, 24 is the most that is allowed
   int fewest_in_node = 6;        // draws, below which a node is not split
   int features_of_a_split = 24;  // that it may choose from

@@ -13,7 +13,7 @@
 namespace amiss::training {
 
 struct CurriculumParams {
-  int rooms = 60;
+  int rooms = 40;
   int stands_of_room = 10;    // places from which the camera looks round
   int voxels_of_class = 250;  // of one room
   double voxel_m = 0.02;

@@ -26,5 +26,7 @@ struct FurnitureKind {
 [[nodiscard]] std::span<const FurnitureKind> storage();
 [[nodiscard]] std::span<const FurnitureKind> decoration();
 [[nodiscard]] std::span<const FurnitureKind> props();
+/// A sink that sits on the board of a counter.
+[[nodiscard]] world::Body random_sink(RandomStream& random);
 
 }  // namespace amiss::training

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "sim/supports.hpp"
 #include "training/looks.hpp"
@@ -150,8 +151,26 @@ class Furnisher {
       const world::Body body = chosen(kinds, Stand::kAtWall, random_).make(random_);
       const AlignedBox3d box = world::bounds(body.visuals);
       const double back = -box.min().x() + random_.uniform(0.0, 0.06);
-      for (int tries = 0; tries < 8 && !put(body, at_wall(back, box.sizes().y() + 0.02), 0.01); ++tries) continue;
+      bool stands = false;
+      for (int tries = 0; tries < 8 && !stands; ++tries) {
+        stands = put(body, at_wall(back, box.sizes().y() + 0.02), 0.01);
+      }
+      if (stands && body.name == "counter" && random_.uniform() < 0.7) let_in_sink(room_.world.bodies.size() - 1);
     }
+  }
+  /// Somewhere on the largest level top of a counter.
+  void let_in_sink(std::size_t counter) {
+    std::optional<sim::Support> board;
+    for (const sim::Support& support : sim::find_supports(room_.world)) {
+      if (support.body == counter && (!board || support.height_m() > board->height_m()) && support.area_m2() > 0.6) {
+        board = support;
+      }
+    }
+    if (!board) return;
+    Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+    turn.linear() = room_.world.bodies[counter].pose.T.linear();
+    const Eigen::Vector3d along = turn.linear() * Vector3d(0.0, random_.uniform(-0.7, 0.7), 0.0);
+    lay(random_sink(random_), turn, board->T_world_top.translation() + along);
   }
 
   void spread(int count) {

@@ -45,7 +45,7 @@ world::Body closed(RandomStream& random, const char* name, const Vector3d& size)
 }
 
 world::Body cabinet(RandomStream& random) {
-  return closed(random, "cabinet", {random.uniform(0.3, 0.6), random.uniform(0.4, 1.8), random.uniform(0.45, 1.0)});
+  return closed(random, "cabinet", {random.uniform(0.3, 0.6), random.uniform(0.4, 1.8), random.uniform(0.45, 0.9)});
 }
 world::Body cupboard(RandomStream& random) {
   return closed(random, "cupboard", {random.uniform(0.35, 0.6), random.uniform(0.6, 1.5), random.uniform(1.1, 2.2)});
@@ -113,19 +113,26 @@ world::Body bookcase(RandomStream& random) {
   return piece.take();
 }
 
+void add_all(world::Body& body, const world::Body& other) {
+  body.visuals.insert(body.visuals.end(), other.visuals.begin(), other.visuals.end());
+  body.collisions.insert(body.collisions.end(), other.collisions.begin(), other.collisions.end());
+}
+
+/// Closed below, a top board over it, perhaps with a hob in it.
 world::Body counter(RandomStream& random) {
   const world::Material top = random.uniform() < 0.5 ? random_board(random) : random_plastic(random);
-  const Vector3d size(random.uniform(0.55, 0.65), random.uniform(1.2, 3.0), random.uniform(0.82, 0.92));
+  const Vector3d size(random.uniform(0.55, 0.65), random.uniform(1.4, 3.2), random.uniform(0.80, 0.90));
   world::Body body = closed(random, "counter", size);
   Piece piece("counter");
   piece.box({size.x() + 0.03, size.y(), 0.04}, {0.01, 0, size.z() + 0.02}, top);
-  if (random.uniform() < 0.6) {
-    piece.box({0.5, 0.56, 0.008}, {0, (random.uniform() - 0.5) * (size.y() - 0.7), size.z() + 0.043},
-              random_dark(random));
+  if (random.uniform() < 0.5) {
+    const double y = (random.uniform() - 0.5) * (size.y() - 0.7);
+    piece.box({0.5, 0.56, 0.008}, {0, y, size.z() + 0.043}, random_dark(random));
   }
-  const world::Body over = piece.take();
-  for (const world::Shape& shape : over.visuals) body.visuals.push_back(shape);
-  for (const world::Shape& shape : over.collisions) body.collisions.push_back(shape);
+  if (random.uniform() < 0.5) {
+    piece.box({0.015, size.y(), random.uniform(0.3, 0.6)}, {-size.x() / 2 + 0.008, 0, size.z() + 0.3}, top);
+  }
+  add_all(body, piece.take());
   return body;
 }
 
@@ -148,13 +155,29 @@ constexpr std::array<FurnitureKind, 8> kStorage{{{"cabinet", Stand::kAtWall, 3.0
                                                  {"cupboard", Stand::kAtWall, 1.5, cupboard},
                                                  {"tv_board", Stand::kAtWall, 1.0, tv_board},
                                                  {"washing_machine", Stand::kAtWall, 0.4, washing_machine},
-                                                 {"fridge", Stand::kAtWall, 1.0, fridge},
+                                                 {"fridge", Stand::kAtWall, 2.0, fridge},
                                                  {"bookcase", Stand::kAtWall, 3.5, bookcase},
-                                                 {"counter", Stand::kAtWall, 1.8, counter},
+                                                 {"counter", Stand::kAtWall, 2.5, counter},
                                                  {"kitchen_wall_unit", Stand::kOnWall, 0.6, wall_unit}}};
 
 }  // namespace
 
 std::span<const FurnitureKind> storage() { return kStorage; }
+
+world::Body random_sink(RandomStream& random) {
+  const world::Material steel = random_paint(random);
+  const double depth = random.uniform(0.38, 0.48), width = random.uniform(0.4, 0.8), rim = random.uniform(0.03, 0.06);
+  const double rise = random.uniform(0.01, 0.14), x = random.uniform(0.15, 0.25);
+  Piece piece("kitchen_sink");
+  piece.box({depth, width, 0.006}, {0, 0, 0.003}, steel);
+  for (const double side : {-1.0, 1.0}) {
+    piece.box({depth, rim, rise}, {0, side * (width - rim) / 2, rise / 2}, steel);
+    piece.box({rim, width, rise}, {side * (depth - rim) / 2, 0, rise / 2}, steel);
+  }
+  const double tap = random.uniform(0.15, 0.35);
+  piece.cylinder(0.015, tap, {-x, 0, rise + tap / 2}, steel);
+  piece.box({0.18, 0.02, 0.02}, {-x + 0.08, 0, rise + tap}, steel);
+  return piece.take();
+}
 
 }  // namespace amiss::training
