@@ -36,6 +36,11 @@ void annotate_cloud(const std::filesystem::path& recording, const std::filesyste
   const dataset::CloudFile file = dataset::load_cloud(cloud);
   constexpr std::size_t kEvery = 2;
   const dataset::GroundTruth truth = dataset::ground_truth_of(file.cloud(), recording, kEvery, poses);
+  // What the reconstruction saw stands beside its cloud, and stays so.
+  if (const std::filesystem::path space = cloud.parent_path() / "space.bt"; std::filesystem::exists(space)) {
+    std::filesystem::create_directories(rooms / scene.room);
+    save_atomically(rooms / scene.room / (scene.name + "_space.bt"), load_bytes(space));
+  }
   dataset::save_scene(rooms / scene.room, scene.name, file, truth);
 }
 
