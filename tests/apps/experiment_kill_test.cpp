@@ -60,7 +60,10 @@ struct Experiment : testing::Test {
     std::vector<std::string> words{"experiment"};
     for (const std::string& word : run_of("killed", "2")) words.push_back(word);
     test::Program program(words, folder.path());
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds_s));
+    const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds_s);
+    while (program.runs() && std::chrono::steady_clock::now() < until) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
     if (!program.runs()) return false;
     program.send(SIGKILL);
     EXPECT_EQ(program.wait().status, -1000 - SIGKILL);
