@@ -78,7 +78,7 @@ struct ChangeText {
   std::string operator()(const world::Fault& c) const {
     if (c.kind == world::FaultKind::kJump) return "jump: " + pose(c.jump.x_m, c.jump.y_m, c.jump.yaw_rad);
     return "fault: {sensor: " + std::string(to_string(c.sensor)) + ", kind: " + std::string(to_string(c.kind)) +
-           ", for: " + number(c.for_s) + amount(c) + "}";
+           (c.for_s < world::Fault{}.for_s ? ", for: " + number(c.for_s) : "") + amount(c) + "}";
   }
 };
 

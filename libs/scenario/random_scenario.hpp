@@ -1,0 +1,29 @@
+// Scenarios by chance: what stands ready in a world, a random stream -> a Scenario whose expectations are what must
+// hold whatever happens. The distribution (share/scenarios/README.md tells it, too):
+//   1 to 3 of the objects from the beginning; no disturbance (3 of 10), one (5) or two (2), the first after 2 to 10 s,
+//   the second 0.5 to 10 s later: a fault of a sensor (6 of 10), a kidnapping, a jump of odometry, an object that
+//   appears, or one that is taken away (1 each). Faults: sensor and kind alike, for good (1 of 2) or for 1 to 10 s;
+//   lengths 0.7 to 1.4 times, periods 0.3 to 2 s, delays of 0.1 to 1 s. Nothing is put where the robot may stand, so
+//   that each collision is the robot's own doing: objects appear as the first disturbance alone, after 2 to 4 s and 2 m
+//   from the start. Where that cannot be, one is taken away; where none is left, a sensor fails.
+// Expected: no collision, an end before the time limit, and an honest one: lost or sensor_lost only where a sensor
+// fails or the robot is carried; where neither is so, all that is there from beginning to end is found.
+#pragma once
+
+#include "core/random.hpp"
+#include "scenario/scenario.hpp"
+
+namespace amiss::scenario {
+
+/// What a random scenario may use.
+struct Stage {
+  std::string world;
+  std::vector<world::AddBody> objects;      // at places that the robot can come near; at least kMostObjects
+  std::vector<Eigen::Vector2d> standing_m;  // where the robot may be put down, apart from the objects; at least one
+  Eigen::Vector2d start_m = Eigen::Vector2d::Zero();
+};
+inline constexpr std::size_t kMostObjects = 4;
+
+[[nodiscard]] Scenario random_scenario(const Stage& stage, std::uint64_t seed, int number);
+
+}  // namespace amiss::scenario
