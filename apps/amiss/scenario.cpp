@@ -13,6 +13,7 @@
 #include "interrupt.hpp"
 #include "resources.hpp"
 #include "scenario_jobs.hpp"
+#include "scenario_random.hpp"
 #include "scenario_run.hpp"
 
 namespace amiss::app {
@@ -29,6 +30,8 @@ struct Arguments {
   std::string junit, out;
   int parallel = 2;
   bool prove = false, quiet = false;
+  RandomScenarios random;
+  bool write_only = false;
   int child = -2;  // which break a child runs; -1 none
 };
 
@@ -117,7 +120,6 @@ int status_of(const std::vector<JobResult>& results) {
 }
 
 int run_files(const Arguments& a) {
-  catch_interrupts();
   std::vector<ScenarioJob> jobs;
   const scenario::Vocabulary words = vocabulary_of(find_resources());
   for (const fs::path& file : expanded(a.files)) {
@@ -137,21 +139,63 @@ int run_files(const Arguments& a) {
   return status_of(results);
 }
 
+/// What holds is not kept: the files that stay are those that failed.
+int run_random(Arguments a) {
+  const fs::path folder =
+      a.out.empty() ? fs::path("runs") / ("random-" + std::to_string(a.random.seed)) : fs::path(a.out);
+  a.out = folder.string();
+  const std::vector<fs::path> files = write_random_scenarios(a.random, folder);
+  if (a.write_only) return kGoalMet;
+  std::vector<ScenarioJob> jobs;
+  for (const fs::path& file : files) jobs.push_back({file, -1, file.stem().string(), {}});
+  const std::vector<JobResult> results = run_jobs(a, jobs);
+  std::vector<report::JunitCase> cases;
+  std::size_t failed = 0;
+  for (const JobResult& r : results) {
+    cases.push_back(junit_of(r));
+    if (r.exit_status != kGoalMet) ++failed;
+    if (r.exit_status != kGoalMet || interrupted()) continue;
+    for (const char* ending : {".yaml", ".log", ".png"}) fs::remove(fs::path(r.job.file).replace_extension(ending));
+  }
+  if (!a.junit.empty()) save_atomically(a.junit, report::to_junit("random scenarios", cases));
+  if (!a.quiet) std::cout << failed << " of " << results.size() << " failed; kept in " << folder.string() << "\n";
+  return status_of(results);
+}
+
+int run_parent(const Arguments& a) {
+  catch_interrupts();
+  if (a.random.count > 0 && !a.files.empty()) throw ArgumentError("--random and files exclude each other");
+  if (a.random.count > 0 && a.prove) throw ArgumentError("--random and --prove exclude each other");
+  if (a.random.count > 0) return run_random(a);
+  if (a.files.empty()) throw ArgumentError("scenario files are needed, or --random N");
+  return run_files(a);
+}
+
 }  // namespace
 
 void add_scenario_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("scenario", "scripted runs: what happens meanwhile, and what must come of it");
-  command->add_option("files", a->files, "scenario files, or folders of them")->type_name("FILE")->required();
+  command->add_option("files", a->files, "scenario files, or folders of them")->type_name("FILE");
   command->add_flag("--prove", a->prove, "also break each scenario as its file says, and see that it fails");
   command->add_option("--junit", a->junit, "write the results to this file, as JUnit XML")->type_name("FILE");
   command->add_option("-j,--jobs", a->parallel, "runs at the same time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--out", a->out, "keep a log and a floor plan of each run in this folder")->type_name("DIR");
+  CLI::Option* random =
+      command->add_option("--random", a->random.count, "so many scenarios by chance; those that fail are kept in --out")
+          ->check(CLI::Range(1, 100000));
+  command->add_option("--seed", a->random.seed, "of --random: the same seed, the same files")
+      ->needs(random)
+      ->capture_default_str();
+  command->add_option("--world", a->random.world, "of --random: a name or an SDF file")
+      ->needs(random)
+      ->capture_default_str();
+  command->add_flag("--write-only", a->write_only, "of --random: write the files and run none")->needs(random);
   command->add_flag("--quiet", a->quiet, "the exit status alone");
   command->add_option("--child", a->child)->group("");  // what runs one scenario for the others
-  command->callback([a, &exit_status] { exit_status = a->child >= -1 ? run_child(*a) : run_files(*a); });
+  command->callback([a, &exit_status] { exit_status = a->child >= -1 ? run_child(*a) : run_parent(*a); });
 }
 
 }  // namespace amiss::app

@@ -56,5 +56,47 @@ TEST_F(ScenarioCli, WhatIsBrokenMustFail) {
       << ended.out;
 }
 
+struct RandomScenarioCli : ScenarioCli {
+  static std::vector<std::string> words(const std::string& count, const std::string& seed, const std::string& out) {
+    const std::string world = AMISS_SOURCE_DIR "/tests/scenarios/worlds/two_rooms.sdf";
+    return {"scenario", "--random", count, "--seed", seed, "--world", world, "--out", out};
+  }
+};
+
+TEST_F(RandomScenarioCli, AreAFunctionOfTheSeed) {
+  for (const auto& [seed, out] : {std::pair{"7", "a"}, {"7", "b"}, {"8", "c"}}) {
+    std::vector<std::string> arguments = words("3", seed, out);
+    arguments.emplace_back("--write-only");
+    const Ended ended = test::run(arguments, folder.path());
+    EXPECT_EQ(ended.status, 0) << ended.err;
+  }
+  for (const std::string name : {"random-7-1.yaml", "random-7-2.yaml", "random-7-3.yaml"}) {
+    const std::string text = folder.read("a/" + name);
+    EXPECT_FALSE(text.empty());
+    EXPECT_EQ(folder.read("b/" + name), text);
+  }
+  EXPECT_NE(folder.read("c/random-8-1.yaml"), folder.read("a/random-7-1.yaml"));
+}
+
+TEST_F(RandomScenarioCli, ThoseThatFailAreKeptAndRunAgain) {
+  ::setenv("XDG_CACHE_HOME", "/dev/null/none", 1);  // nowhere for the reference: the program fails
+  const Ended failed = test::Program(words("1", "7", "kept"), folder.path()).wait();
+  EXPECT_EQ(failed.status, 4) << failed.out << failed.err;
+  EXPECT_NE(failed.out.find("1 of 1 failed; kept in kept"), std::string::npos) << failed.out;
+  const std::string text = folder.read("kept/random-7-1.yaml");
+  const Ended again = test::run({"scenario", "kept/random-7-1.yaml"}, folder.path());
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_EQ(folder.read("kept/random-7-1.yaml"), text);
+  EXPECT_EQ(test::run(words("1", "7", "kept"), folder.path()).status, 0);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "kept")) << "what holds is not kept";
+}
+
+TEST_F(RandomScenarioCli, WhatExcludesEachOtherIsTwo) {
+  EXPECT_EQ(test::run({"scenario"}, folder.path()).status, 2);
+  EXPECT_EQ(test::run({"scenario", "s.yaml", "--random", "2"}, folder.path()).status, 2);
+  EXPECT_EQ(test::run({"scenario", "--prove", "--random", "2"}, folder.path()).status, 2);
+  EXPECT_EQ(test::run({"scenario", "s.yaml", "--seed", "2"}, folder.path()).status, 2);
+}
+
 }  // namespace
 }  // namespace amiss
