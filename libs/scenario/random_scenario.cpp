@@ -42,6 +42,13 @@ world::Fault jump_by_chance(RandomStream& random) {
   return jump;
 }
 
+/// Nobody can search like that, and the robot can tell.
+bool ends_the_search(const world::Change& change) {
+  const auto* fault = std::get_if<world::Fault>(&change);
+  if (fault == nullptr || fault->sensor == Sensor::kOdometry || fault->for_s < world::Fault{}.for_s) return false;
+  return fault->kind == FaultKind::kOff || fault->kind == FaultKind::kStuck || fault->kind == FaultKind::kGarbage;
+}
+
 /// Where the robot cannot be that soon: it drives 0.3 m/s at most.
 constexpr double kFirst_s = 2.0, kSoon_s = 4.0, kFar_m = 2.0;
 
@@ -69,6 +76,7 @@ class Draw {
     scenario_.expect.numbers["collisions"] = {{}, 0.0};
     scenario_.expect.end = {"explored"};
     if (misled_) scenario_.expect.end = {"explored", "lost", "sensor_lost"};
+    if (hopeless_) scenario_.expect.end = {"lost", "sensor_lost"};
     if (!misled_) scenario_.expect.found = there_;
     return scenario_;
   }
@@ -83,6 +91,7 @@ class Draw {
     event.moment.after_s = moment_s_;
     misled_ = misled_ || std::holds_alternative<world::Fault>(event.change) ||
               std::holds_alternative<world::Kidnap>(event.change);
+    hopeless_ = hopeless_ || (ends_the_search(event.change) && first);
     scenario_.script.events.push_back(event);
   }
 
@@ -115,7 +124,7 @@ class Draw {
   std::vector<std::string> there_;  // from the beginning and to the end
   std::size_t used_ = 0;
   double moment_s_ = 0.0;
-  bool misled_ = false;
+  bool misled_ = false, hopeless_ = false;
 };
 
 }  // namespace

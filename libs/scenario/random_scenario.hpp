@@ -7,7 +7,8 @@
 //   that each collision is the robot's own doing: objects appear as the first disturbance alone, after 2 to 4 s and 2 m
 //   from the start. Where that cannot be, one is taken away; where none is left, a sensor fails.
 // Expected: no collision, an end before the time limit, and an honest one: lost or sensor_lost only where a sensor
-// fails or the robot is carried; where neither is so, all that is there from beginning to end is found.
+// fails or the robot is carried, never explored where camera or laser are off, stuck or garbage for good from the first
+// disturbance on (10 s at the latest); where nothing misleads it, all that is there from beginning to end is found.
 #pragma once
 
 #include "core/random.hpp"
