@@ -28,17 +28,8 @@ SurfaceMap map_of(const SurfaceRecording& r, const SurfaceParams& params = coars
   return map;
 }
 
-/// A wall across the view at depth z_m, seen from the origin along x.
-RgbdFrame wall_frame(float z_m) {
-  RgbdFrame frame;
-  frame.intrinsics = small_camera();
-  const auto pixels =
-      static_cast<std::size_t>(frame.intrinsics.width) * static_cast<std::size_t>(frame.intrinsics.height);
-  frame.depth_m.assign(pixels, z_m);
-  frame.colour.assign(pixels, {200, 100, 50});
-  return frame;
-}
 const Transform<Map, Camera> kAhead = camera_pose(0, 0, 0, 0, 0);
+const Rgb kWood{200, 100, 50};
 
 bool same(const SurfaceMap& a, const SurfaceMap& b) {
   if (a.values().blocks().size() != b.values().blocks().size()) return false;
@@ -67,7 +58,7 @@ TEST(SurfaceMap, StartsUnknown) {
 
 TEST(SurfaceMap, AWallIsFreeBeforeAndUnknownBehind) {
   SurfaceMap map;
-  map.insert(wall_frame(1.2f), kAhead);
+  map.insert(wall_frame(1.2f, kWood), kAhead);
   EXPECT_EQ(map.at(Eigen::Vector3d(0.3, 0, 0)), Occupancy::kFree);
   EXPECT_EQ(map.at(Eigen::Vector3d(1.175, 0, 0)), Occupancy::kFree);
   EXPECT_EQ(map.at(Eigen::Vector3d(1.205, 0, 0)), Occupancy::kOccupied);
@@ -83,7 +74,7 @@ TEST(SurfaceMap, AWallIsFreeBeforeAndUnknownBehind) {
 
 TEST(SurfaceMap, RaysLongerThanTheRangeFreeSpaceUpToIt) {
   SurfaceMap map;
-  map.insert(wall_frame(3.0f), kAhead);
+  map.insert(wall_frame(3.0f, kWood), kAhead);
   EXPECT_EQ(map.surface_blocks(), 0U);
   EXPECT_EQ(map.at(Eigen::Vector3d(1.97, 0, 0)), Occupancy::kFree);
   EXPECT_EQ(map.at(Eigen::Vector3d(2.03, 0, 0)), Occupancy::kUnknown);
@@ -93,15 +84,15 @@ TEST(SurfaceMap, RaysLongerThanTheRangeFreeSpaceUpToIt) {
 TEST(SurfaceMap, PixelsWithoutDepthSayNothing) {
   for (const float depth : {kNothing, 0.0f, 0.05f, -1.0f, std::numeric_limits<float>::infinity()}) {
     SurfaceMap map;
-    map.insert(wall_frame(depth), kAhead);
+    map.insert(wall_frame(depth, kWood), kAhead);
     EXPECT_TRUE(map.values().blocks().empty()) << depth;
   }
 }
 
 TEST(SurfaceMap, WhatIsTakenAwayBecomesFree) {
   SurfaceMap map;
-  map.insert(wall_frame(1.0f), kAhead);
-  for (int i = 0; i < 20; ++i) map.insert(wall_frame(1.8f), kAhead);
+  map.insert(wall_frame(1.0f, kWood), kAhead);
+  for (int i = 0; i < 20; ++i) map.insert(wall_frame(1.8f, kWood), kAhead);
   EXPECT_EQ(map.at(Eigen::Vector3d(1.005, 0, 0)), Occupancy::kFree);
   EXPECT_EQ(map.at(Eigen::Vector3d(1.805, 0, 0)), Occupancy::kOccupied);
 }
@@ -110,7 +101,7 @@ TEST(SurfaceMap, WeightsStopAtTheLargest) {
   SurfaceParams params;
   params.max_weight = 20.0;
   SurfaceMap map(params);
-  for (int i = 0; i < 10; ++i) map.insert(wall_frame(1.0f), kAhead);
+  for (int i = 0; i < 10; ++i) map.insert(wall_frame(1.0f, kWood), kAhead);
   EXPECT_FLOAT_EQ(map.voxel(map.voxel_at({1.005, 0, 0}))->weight, 20.0f);
   EXPECT_FLOAT_EQ(map.voxel(map.voxel_at({0.5, 0, 0}))->weight, 20.0f);
 }
@@ -119,7 +110,7 @@ TEST(SurfaceMap, CopiesAreIndependent) {
   SurfaceMap map = map_of(surface_recording(1, true, small_camera()));
   const SurfaceMap copy = map;
   EXPECT_TRUE(same(map, copy));
-  map.insert(wall_frame(1.0f), kAhead);
+  map.insert(wall_frame(1.0f, kWood), kAhead);
   EXPECT_FALSE(same(map, copy));
   SurfaceMap assigned;
   assigned = copy;
@@ -140,7 +131,7 @@ TEST(SurfaceMap, RefusesWhatDoesNotFit) {
   EXPECT_THROW(SurfaceMap(with(&SurfaceParams::max_weight, -1.0)), ArgumentError);
 
   SurfaceMap map;
-  RgbdFrame frame = wall_frame(1.0f);
+  RgbdFrame frame = wall_frame(1.0f, kWood);
   auto pose = kAhead;
   pose.T.translation().x() = 1e6;
   EXPECT_THROW(map.insert(frame, pose), InputError);

@@ -16,16 +16,6 @@ namespace {
 
 const Transform<Map, Camera> kAhead = camera_pose(0, 0, 0, 0, 0);
 
-RgbdFrame wall_frame(float z_m, Rgb colour) {
-  RgbdFrame frame;
-  frame.intrinsics = small_camera();
-  const auto pixels =
-      static_cast<std::size_t>(frame.intrinsics.width) * static_cast<std::size_t>(frame.intrinsics.height);
-  frame.depth_m.assign(pixels, z_m);
-  frame.colour.assign(pixels, colour);
-  return frame;
-}
-
 SurfaceMap map_of(const SurfaceRecording& r, double voxel_m) {
   SurfaceParams params;
   params.voxel_m = voxel_m;

@@ -107,4 +107,14 @@ CameraIntrinsics small_camera() {
   return {160, 120, full.fx / 4, full.fy / 4, full.cx / 4, full.cy / 4};
 }
 
+RgbdFrame wall_frame(float z_m, Rgb colour) {
+  RgbdFrame frame;
+  frame.intrinsics = small_camera();
+  const auto pixels =
+      static_cast<std::size_t>(frame.intrinsics.width) * static_cast<std::size_t>(frame.intrinsics.height);
+  frame.depth_m.assign(pixels, z_m);
+  frame.colour.assign(pixels, colour);
+  return frame;
+}
+
 }  // namespace amiss::mapping

@@ -35,4 +35,7 @@ struct TestScene {
 /// A camera a quarter as wide and high, for tests that need not be fine.
 [[nodiscard]] CameraIntrinsics small_camera();
 
+/// What that camera sees of a wall of one colour, straight ahead.
+[[nodiscard]] RgbdFrame wall_frame(float z_m, Rgb colour);
+
 }  // namespace amiss::mapping

@@ -12,16 +12,6 @@ namespace {
 
 const Transform<Map, Camera> kAhead = camera_pose(0, 0, 0, 0, 0);
 
-RgbdFrame wall_frame(float z_m, Rgb colour) {
-  RgbdFrame frame;
-  frame.intrinsics = small_camera();
-  const auto pixels =
-      static_cast<std::size_t>(frame.intrinsics.width) * static_cast<std::size_t>(frame.intrinsics.height);
-  frame.depth_m.assign(pixels, z_m);
-  frame.colour.assign(pixels, colour);
-  return frame;
-}
-
 TEST(VoxelColours, AreMeansOfThePixelsThatEndInThem) {
   VoxelColours colours(0.05, 0.1, 2.0);
   colours.insert(wall_frame(1.02f, {100, 0, 7}), kAhead);
