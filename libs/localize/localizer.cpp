@@ -33,8 +33,8 @@ constexpr int kMaxSpreads = 5;
 constexpr double kLostSpreadM = 0.3;
 constexpr int kFirstDoubt = 4;        // doubtful scans in a row, then the whole map is searched,
 constexpr int kNextDoubt = 10;        // and again after so many
-constexpr double kMuchBetter = 0.15;  // of a fit, than where the robot believed to be
-constexpr double kUnlike = 0.08;      // of a fit, than the next best place
+constexpr double kMuchBetter = 0.15;  // in plausibility, than where the robot believes to be
+constexpr double kUnlike = 0.08;      // in plausibility, the next best place
 constexpr StartSpread kFoundSpread{0.08, radians(3.0)};
 
 mrpt::slam::CMonteCarloLocalization2D make_filter(const FloorGrid& map, const LocalizerParams& params) {
@@ -109,7 +109,8 @@ struct Localizer::State {
                             const Transform<Base, Laser>& T_base_laser);
   void correct(const Odometry& odometry, const LaserScan& scan, const Transform<Base, Laser>& T_base_laser);
   void watch(const Pose2<Map, Base>& pose);
-  void doubt(const Odometry& odometry, const std::vector<Eigen::Vector2d>& points_base);
+  void doubt(const Odometry& odometry, const std::vector<Eigen::Vector2d>& points_base,
+             const Eigen::Vector2d& laser_base, const Pose2<Map, Base>& pose);
   void stand_at(const Pose2<Map, Base>& pose, const Odometry& odometry);
 };
 
@@ -167,18 +168,21 @@ void Localizer::State::correct(const Odometry& odometry, const LaserScan& scan,
                                    predicted.y_m + gain * (pose.y_m - predicted.y_m),
                                    wrap_angle(predicted.yaw_rad + gain * wrap_angle(pose.yaw_rad - predicted.yaw_rad))};
   T_map_odom = corrected * odometry.T_odom_base.inverse();
-  if (params.relocalize) doubt(odometry, points_base);
+  if (params.relocalize) doubt(odometry, points_base, T_base_laser.T.translation().head<2>(), pose);
   watch(pose);
 }
 
 /// Searches the whole map while scans fit less than for sure.
-void Localizer::State::doubt(const Odometry& odometry, const std::vector<Eigen::Vector2d>& points_base) {
+void Localizer::State::doubt(const Odometry& odometry, const std::vector<Eigen::Vector2d>& points_base,
+                             const Eigen::Vector2d& laser_base, const Pose2<Map, Base>& pose) {
   doubts = evidence.fit >= params.sure_fit ? 0 : doubts + 1;
   if (doubts == 0) checked = false;
   if (doubts % kNextDoubt != kFirstDoubt) return;
-  const auto found = internal::best_on_map(field, places, points_base, params.fit_distance_m);
-  checked = found.empty() || found[0].fit < evidence.fit + kMuchBetter;
-  const bool alone = found.size() == 1 || (found.size() > 1 && found[1].fit < found[0].fit - kUnlike);
+  const double near_m = params.fit_distance_m;
+  const auto found = internal::best_on_map(field, places, points_base, laser_base, near_m);
+  const double here = internal::plausibility_of(field, points_base, laser_base, pose, near_m);
+  checked = found.empty() || found[0].plausibility < here + kMuchBetter;
+  const bool alone = found.size() == 1 || (found.size() > 1 && found[1].plausibility < found[0].plausibility - kUnlike);
   if (checked || !alone || found[0].fit < params.min_fit) return;
   stand_at(found[0].T_map_base, odometry);
   evidence.fit = found[0].fit;

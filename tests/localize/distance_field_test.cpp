@@ -33,6 +33,17 @@ TEST(DistanceField, IsFarOutsideOfTheMap) {
   EXPECT_EQ(field.at({-5.0, 1.0}).gradient.norm(), 0.0);
 }
 
+TEST(Plausibility, OfNewThingsIsBetweenThatOfWallsAndOfSpaceBehindThem) {
+  const DistanceField field(testing::Flat::furnished().grid());  // a wall at x = 4 m
+  const Pose2<Map, Base> pose{3.0, 0.5, 0.0};
+  const auto of = [&](double range_m) { return plausibility_of(field, {{range_m, 0.0}}, {0.1, 0.0}, pose, 0.1); };
+  EXPECT_EQ(of(1.0), 1.0);
+  EXPECT_EQ(of(0.6), 0.5);
+  EXPECT_EQ(of(1.6), 0.0);
+  EXPECT_EQ(plausibility_of(field, {{0.6, 0.0}, {1.6, 0.0}}, {0.1, 0.0}, pose, 0.1), 0.25);
+  EXPECT_EQ(plausibility_of(field, {}, {0.1, 0.0}, pose, 0.1), 0.0);
+}
+
 /// Aligns a scan from a guess that is off by `offset` (x [m], y [m], yaw [rad]); did it find back?
 bool finds_back(double yaw_rad, const Eigen::Vector3d& offset) {
   static const testing::Flat flat = testing::Flat::furnished();

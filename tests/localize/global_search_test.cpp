@@ -14,6 +14,8 @@ struct Place {
   std::vector<Eigen::Vector2d> places = places_to_stand(grid, field);
 };
 
+const Eigen::Vector2d kLaser = testing::laser_mount().T.translation().head<2>();
+
 const Place& place() {
   static const Place p;
   return p;
@@ -41,22 +43,22 @@ TEST(GlobalSearch, FindsThePoseInAFurnishedFlatWithThingsThatAreNotInTheMap) {
     testing::Flat today = place().flat;
     today.box({at.x() + 0.9, at.y() + 0.2}, {at.x() + 1.0, at.y() + 0.3});
     const auto points = seen_from(today, truth);
-    const auto found = best_on_map(place().field, place().places, points, 0.15);
+    const auto found = best_on_map(place().field, place().places, points, kLaser, 0.15);
     ASSERT_FALSE(found.empty());
     const Pose2<Map, Base> there{truth.x_m, truth.y_m, truth.yaw_rad};
     EXPECT_TRUE(is_same_place(found.front().T_map_base, there)) << leg;
     EXPECT_LT((found.front().T_map_base.position() - at).norm(), 0.08) << leg;
     EXPECT_GE(found.front().fit, fit_of(place().field, points, there, 0.15) - 0.05) << leg;
     for (std::size_t i = 1; i < found.size(); ++i) {
-      EXPECT_LE(found[i].fit, found[i - 1].fit);
+      EXPECT_LE(found[i].plausibility, found[i - 1].plausibility);
       EXPECT_FALSE(is_same_place(found[i].T_map_base, found.front().T_map_base));
     }
   }
 }
 
 TEST(GlobalSearch, NothingToGoByGivesNothing) {
-  EXPECT_TRUE(best_on_map(place().field, place().places, {}, 0.15).empty());
-  EXPECT_TRUE(best_on_map(place().field, {}, {{1.0, 0.0}}, 0.15).empty());
+  EXPECT_TRUE(best_on_map(place().field, place().places, {}, kLaser, 0.15).empty());
+  EXPECT_TRUE(best_on_map(place().field, {}, {{1.0, 0.0}}, kLaser, 0.15).empty());
 }
 
 TEST(GlobalSearch, TheSamePlaceIsNearInPositionAndTurn) {

@@ -31,7 +31,7 @@ double cost_of(const std::vector<Eigen::Vector2d>& points_base, const AlignmentP
   double sum = prior_cost(prior, offset);
   for (const Eigen::Vector2d& p_base : points_base) {
     const Eigen::Vector2d p_map = Eigen::Rotation2Dd(pose.yaw_rad) * p_base + pose.position();
-    const FloorGrid& frame = the_field().frame();
+    const FloorGrid& frame = the_field().map();
     const double distance_m =
         the_field().at(frame.centre_of(frame.cell_at(p_map)) + Eigen::Vector2d(1e-9, 1e-9)).distance_m;
     sum += robust_cost(distance_m, kLastKernelM);

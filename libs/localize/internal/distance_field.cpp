@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kIterations = 12;
 constexpr double kFirstKernelM = 0.1;  // width of the robust weight, narrowing with each iteration
+constexpr double kNewThing = 0.5;      // plausibility of a point in free space, against 1 near a wall
 constexpr double kPointSigmaM = 0.1;   // of one point; wide, because neighbours share the errors of the map
 
 struct Normal {
@@ -43,7 +44,7 @@ double robust_cost(double distance_m, double kernel_m) {
 }
 
 DistanceField::DistanceField(const FloorGrid& map)
-    : frame_(map.resolution_m(), map.origin_m(), map.width(), map.height()),
+    : map_(map),
       distance_m_(distance_to_occupied_m(map, false)),
       cell_costs_(distance_m_.size()) {
   std::transform(distance_m_.begin(), distance_m_.end(), cell_costs_.begin(),
@@ -51,17 +52,17 @@ DistanceField::DistanceField(const FloorGrid& map)
 }
 
 DistanceField::Sample DistanceField::at(const Eigen::Vector2d& p_map) const {
-  const Eigen::Vector2d cell = (p_map - frame_.origin_m()) / frame_.resolution_m() - Eigen::Vector2d::Constant(0.5);
+  const Eigen::Vector2d cell = (p_map - map_.origin_m()) / map_.resolution_m() - Eigen::Vector2d::Constant(0.5);
   const double x0 = std::floor(cell.x()), y0 = std::floor(cell.y());
-  if (!(x0 >= 0.0 && y0 >= 0.0 && x0 + 1.0 < frame_.width() && y0 + 1.0 < frame_.height())) return {kFar, {0.0, 0.0}};
+  if (!(x0 >= 0.0 && y0 >= 0.0 && x0 + 1.0 < map_.width() && y0 + 1.0 < map_.height())) return {kFar, {0.0, 0.0}};
   const double fx = cell.x() - x0, fy = cell.y() - y0;
-  const std::size_t i = frame_.index(Cell{static_cast<int>(x0), static_cast<int>(y0)});
-  const std::size_t up = i + static_cast<std::size_t>(frame_.width());
+  const std::size_t i = map_.index(Cell{static_cast<int>(x0), static_cast<int>(y0)});
+  const std::size_t up = i + static_cast<std::size_t>(map_.width());
   const auto d00 = static_cast<double>(distance_m_[i]), d10 = static_cast<double>(distance_m_[i + 1]);
   const auto d01 = static_cast<double>(distance_m_[up]), d11 = static_cast<double>(distance_m_[up + 1]);
   const double low = d00 + fx * (d10 - d00), high = d01 + fx * (d11 - d01);
   const double slope_x = (1.0 - fy) * (d10 - d00) + fy * (d11 - d01);
-  return {low + fy * (high - low), Eigen::Vector2d(slope_x, high - low) / frame_.resolution_m()};
+  return {low + fy * (high - low), Eigen::Vector2d(slope_x, high - low) / map_.resolution_m()};
 }
 
 std::vector<Eigen::Vector2d> points_of(const LaserScan& scan, const Transform<Base, Laser>& T_base_laser,
@@ -88,6 +89,23 @@ double fit_of(const DistanceField& field, const std::vector<Eigen::Vector2d>& po
     return field.at(R * p_base + T_map_base.position()).distance_m <= near_m;
   });
   return static_cast<double>(near) / static_cast<double>(points_base.size());
+}
+
+double plausibility_of(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
+                       const Eigen::Vector2d& laser_base, const Pose2<Map, Base>& T_map_base, double near_m) {
+  if (points_base.empty()) return 0.0;
+  const Eigen::Rotation2Dd R(T_map_base.yaw_rad);
+  const Eigen::Vector2d laser_map = R * laser_base + T_map_base.position();
+  double sum = 0.0;
+  for (const Eigen::Vector2d& p_base : points_base) {
+    const Eigen::Vector2d p_map = R * p_base + T_map_base.position();
+    if (field.at(p_map).distance_m <= near_m) {
+      sum += 1.0;
+    } else if (line_of_sight(field.map(), laser_map, p_map)) {
+      sum += kNewThing;
+    }
+  }
+  return sum / static_cast<double>(points_base.size());
 }
 
 Pose2<Map, Base> moved(const Pose2<Map, Base>& pose, const Eigen::Vector3d& offset) {

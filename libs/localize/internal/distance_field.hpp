@@ -25,13 +25,13 @@ class DistanceField {
   [[nodiscard]] Sample at(const Eigen::Vector2d& p_map) const;
   static constexpr double kFar = 10.0;
 
-  /// The map's geometry, and for each of its cells the distance and the robust cost of a point at the cell's centre.
-  [[nodiscard]] const FloorGrid& frame() const { return frame_; }
+  /// The map, and for each of its cells the distance and the robust cost of a point at the cell's centre.
+  [[nodiscard]] const FloorGrid& map() const { return map_; }
   [[nodiscard]] const std::vector<float>& cell_distances_m() const { return distance_m_; }
   [[nodiscard]] const std::vector<float>& cell_costs() const { return cell_costs_; }
 
  private:
-  FloorGrid frame_;  // for its geometry
+  FloorGrid map_;
   std::vector<float> distance_m_;
   std::vector<float> cell_costs_;
 };
@@ -43,6 +43,13 @@ class DistanceField {
 /// Part of the points within `near_m` of a wall.
 [[nodiscard]] double fit_of(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
                             const Pose2<Map, Base>& T_map_base, double near_m);
+
+/// 1 for a scan that the map explains, 0 for one that it contradicts: the mean over the points of 1 near a wall, a half
+/// in free space that the laser sees through free space (something new may stand there), 0 behind walls or where the map
+/// knows nothing. `laser_base`: where the laser is.
+[[nodiscard]] double plausibility_of(const DistanceField& field, const std::vector<Eigen::Vector2d>& points_base,
+                                     const Eigen::Vector2d& laser_base, const Pose2<Map, Base>& T_map_base,
+                                     double near_m);
 
 /// What is known before the scan is looked at: a pose with independent deviations.
 struct AlignmentPrior {

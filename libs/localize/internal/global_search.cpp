@@ -37,7 +37,7 @@ std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& points)
 
 /// Distances, limited, of the cells that the points fall into when the robot stands in the middle of a cell.
 float coarse_cost(const DistanceField& field, const std::vector<Cell>& points, const Cell& place) {
-  const FloorGrid& frame = field.frame();
+  const FloorGrid& frame = field.map();
   float sum = 0.0F;
   for (const Cell& p : points) {
     const Cell c{place.x + p.x, place.y + p.y};
@@ -48,9 +48,9 @@ float coarse_cost(const DistanceField& field, const std::vector<Cell>& points, c
 
 std::vector<Coarse> lattice(const DistanceField& field, const std::vector<Eigen::Vector2d>& places,
                             const std::vector<Eigen::Vector2d>& points_base) {
-  const double resolution_m = field.frame().resolution_m();
+  const double resolution_m = field.map().resolution_m();
   std::vector<Cell> cells;
-  for (const Eigen::Vector2d& place : places) cells.push_back(field.frame().cell_at(place));
+  for (const Eigen::Vector2d& place : places) cells.push_back(field.map().cell_at(place));
   std::vector<Coarse> all;
   all.reserve(places.size() * kYaws);
   for (int yaw = 0; yaw < kYaws; ++yaw) {
@@ -98,7 +98,8 @@ bool is_same_place(const Pose2<Map, Base>& a, const Pose2<Map, Base>& b) {
 }
 
 std::vector<FittingPose> best_on_map(const DistanceField& field, const std::vector<Eigen::Vector2d>& places_map,
-                                     const std::vector<Eigen::Vector2d>& points_base, double near_m) {
+                                     const std::vector<Eigen::Vector2d>& points_base, const Eigen::Vector2d& laser_base,
+                                     double near_m) {
   if (points_base.empty()) return {};
   std::vector<Pose2<Map, Base>> starts;
   for (const Coarse& c : lattice(field, places_map, thinned(points_base))) {
@@ -110,9 +111,11 @@ std::vector<FittingPose> best_on_map(const DistanceField& field, const std::vect
   std::vector<FittingPose> found;
   for (const Pose2<Map, Base>& start : starts) {
     const Pose2<Map, Base> pose = aligned(field, points_base, {start, kFreeM, kFreeRad});
-    found.push_back({pose, fit_of(field, points_base, pose, near_m)});
+    found.push_back({pose, fit_of(field, points_base, pose, near_m),
+                     plausibility_of(field, points_base, laser_base, pose, near_m)});
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.fit > b.fit; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.plausibility > b.plausibility; });
   std::vector<FittingPose> apart;
   for (const FittingPose& f : found) {
     const bool is_new = std::none_of(apart.begin(), apart.end(), [&](const FittingPose& other) {

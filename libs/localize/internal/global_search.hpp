@@ -14,15 +14,17 @@ namespace amiss::localize::internal {
 
 struct FittingPose {
   Pose2<Map, Base> T_map_base;
-  double fit = 0.0;  // part of the points within the given distance of a wall
+  double fit = 0.0;           // part of the points within the given distance of a wall
+  double plausibility = 0.0;  // distance_field.hpp
 };
 
 /// Are these two readings of one place?
 [[nodiscard]] bool is_same_place(const Pose2<Map, Base>& a, const Pose2<Map, Base>& b);
 
-/// Best fit first; empty where there is no place or no point.
+/// The most plausible first; empty where there is no place or no point.
 [[nodiscard]] std::vector<FittingPose> best_on_map(const DistanceField& field,
                                                    const std::vector<Eigen::Vector2d>& places_map,
-                                                   const std::vector<Eigen::Vector2d>& points_base, double near_m);
+                                                   const std::vector<Eigen::Vector2d>& points_base,
+                                                   const Eigen::Vector2d& laser_base, double near_m);
 
 }  // namespace amiss::localize::internal

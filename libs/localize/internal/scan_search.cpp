@@ -46,7 +46,7 @@ std::vector<std::size_t> cells_of(const FloorGrid& frame, const std::vector<Eige
 std::vector<Pose2<Map, Base>> best_in_window(const DistanceField& field,
                                              const std::vector<Eigen::Vector2d>& points_base,
                                              const AlignmentPrior& prior) {
-  const FloorGrid& frame = field.frame();
+  const FloorGrid& frame = field.map();
   const int cells_a_shift = std::max(1, static_cast<int>(std::lround(kShiftM / frame.resolution_m())));
   const double shift_m = cells_a_shift * frame.resolution_m();
   const auto offset_of = [&](const Candidate& c) {
