@@ -27,10 +27,13 @@ void check_program(const ParallelOptions& options) {
   }
 }
 
+/// GNU parallel quotes for the shell of its caller, and for none that other machines understand where it knows none.
+constexpr const char* kShell = "PARALLEL_SHELL=/bin/sh";
+
 /// One line of the input is one call; `uq()` makes its ids words of their own. What a machine at the other end of ssh
 /// must know of our environment is handed on.
 std::vector<std::string> words_of(const Folder& folder, const std::string& program, const ParallelOptions& options) {
-  std::vector<std::string> words{options.command, "--will-cite", fmt::format("--jobs={}", options.jobs),
+  std::vector<std::string> words{"env", kShell, options.command, "--will-cite", fmt::format("--jobs={}", options.jobs),
                                  "--termseq=TERM,3000,KILL,25"};
   for (const std::string& login : options.logins) words.push_back("--sshlogin=" + login);
   for (const char* name : {"AMISS_SHARE", "XDG_CACHE_HOME"}) {
