@@ -35,6 +35,15 @@ std::vector<page::Touch> touches(const TidyPage::Watched& watched) {
   return list;
 }
 
+std::vector<page::MovableBody> movable_bodies(const TidyPage::Watched& watched) {
+  std::vector<page::MovableBody> list;
+  const Transform<Map, World> T_map_world = watched.T_world_map.inverse();
+  for (world::ObjectTruth& o : watched.simulator.truth().objects) {
+    list.push_back({std::move(o.name), std::move(o.kind), T_map_world * o.pose});
+  }
+  return list;
+}
+
 }  // namespace
 
 TidyPage::TidyPage(const report::RunFolder& folder, const ViewOptions& options, bool threaded)
@@ -51,6 +60,7 @@ void TidyPage::begin(const page::Beginning& beginning, const Watched& watched,
   onlooker.true_pose = [watched] { return on_map(watched.T_world_map, watched.simulator.truth().T_world_base); };
   onlooker.objects = [watched] { return placed_objects(watched); };
   onlooker.collisions = [watched] { return touches(watched); };
+  onlooker.bodies = [watched] { return movable_bodies(watched); };
   onlooker.knowledge = [watched]() -> const knowledge::Knowledge& { return watched.knowledge.now(); };
   onlooker.voxels = std::move(voxels);
   recorder_.begin(beginning, std::move(onlooker));

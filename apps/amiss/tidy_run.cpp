@@ -185,6 +185,16 @@ struct Stage {
   TidyRecording& recording;
 };
 
+/// A world of amiss by its name, so that a run folder can be carried elsewhere.
+page::Place place_of(const TidyOptions& options, const Settings& settings, const Scene& scene,
+                     const PreparedReference& prepared) {
+  const std::filesystem::path& file = scene.world.file;
+  const bool own = file.parent_path() == scene.resources.worlds;
+  return {own ? file.stem().string() : file.string(),
+          options.robot.empty() ? "" : std::filesystem::absolute(options.robot).string(),
+          lifted(prepared.T_world_map, settings)};
+}
+
 std::unique_ptr<mission::SearchMethod> make_search(const TidyOptions& options, const Settings& settings,
                                                    const Stage& stage, const plan::Domain& domain,
                                                    knowledge::KnowledgeBase& knowledge, const mission::Sinks& sinks) {
@@ -211,7 +221,8 @@ std::string search(const TidyOptions& options, const Settings& settings, const S
   const auto voxels = [&]() -> const mapping::VoxelMap& { return search->voxels(); };
   page.begin(
       {report.version, report.world, report.method, report.seed, &prepared.reference.floor, &prepared.reference.mapped,
-       &scene.model, settings.referee.max_error_m, settings.referee.min_cover, settings.referee.min_purity},
+       &scene.model, settings.referee.max_error_m, settings.referee.min_cover, settings.referee.min_purity,
+       place_of(options, settings, scene, prepared)},
       {simulator, referee, lifted(prepared.T_world_map, settings), knowledge}, voxels);
   recording.attach(sinks, knowledge, voxels);
   const mission::SearchReport result = search->run();

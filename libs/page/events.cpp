@@ -21,6 +21,14 @@ Json vector(const Eigen::Vector3d& v) { return {rounded(v.x()), rounded(v.y()), 
 Json vector(const Eigen::Vector2d& v) { return {rounded(v.x()), rounded(v.y())}; }
 Json pose(const Pose2<Map, Base>& p) { return {rounded(p.x_m), rounded(p.y_m), rounded_angle(p.yaw_rad)}; }
 
+/// x y z and the quaternion x y z w.
+Json pose(const Eigen::Isometry3d& T) {
+  const Eigen::Quaterniond q(T.linear());
+  Json json = vector(Eigen::Vector3d(T.translation()));
+  for (const double value : {q.x(), q.y(), q.z(), q.w()}) json.push_back(rounded_angle(value));
+  return json;
+}
+
 Json event(std::string_view name, Stamp stamp) { return {{"e", name}, {"t", rounded(seconds(stamp))}}; }
 Json at(const std::optional<Stamp>& stamp) { return stamp ? Json(rounded(seconds(*stamp))) : Json(nullptr); }
 
@@ -118,6 +126,7 @@ std::string start_line(const Beginning& b) {
   json["world"] = b.world;
   json["method"] = b.method;
   json["seed"] = b.seed;
+  json["place"] = {{"world", b.place.world}, {"robot", b.place.robot}, {"T_world_map", pose(b.place.T_world_map.T)}};
   json["floor"] = floor_json(*b.floor);
   json["resolution"] = b.reference->resolution_m();
   json["reference"] = voxels_text(above_floor(*b.reference));
@@ -258,6 +267,17 @@ std::string objects_line(Stamp stamp, const std::vector<PlacedObject>& objects) 
   }
   Json json = event("objects", stamp);
   json["list"] = std::move(list);
+  return line(json);
+}
+
+std::string bodies_line(Stamp stamp, const std::vector<MovableBody>& bodies, const std::vector<std::string>& gone) {
+  Json list = Json::array();
+  for (const MovableBody& b : bodies) {
+    list.push_back({{"name", b.name}, {"kind", b.kind}, {"pose", pose(b.T_map_body.T)}});
+  }
+  Json json = event("bodies", stamp);
+  json["list"] = std::move(list);
+  json["gone"] = gone;
   return line(json);
 }
 

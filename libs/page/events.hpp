@@ -19,6 +19,13 @@ namespace amiss::page {
 
 inline constexpr int kSchema = 1;
 
+/// Where a run took place, so that its film can be made from its run folder.
+struct Place {
+  std::string world;  // as `amiss tidy --world` takes it
+  std::string robot;  // URDF file; empty: the robot of amiss
+  Transform<World, Map> T_world_map;
+};
+
 /// What the page of a run begins with.
 struct Beginning {
   std::string version, world, method;
@@ -27,6 +34,7 @@ struct Beginning {
   const mapping::VoxelMap* reference = nullptr;  // as mapped, not dilated
   const robot::Model* model = nullptr;
   double max_error_m = 0.0, min_cover = 0.0, min_purity = 0.0;  // what the referee asks for
+  Place place = {};
 };
 
 /// An object that was placed, and what the referee says of it. For people: nothing of it goes back to the robot.
@@ -37,6 +45,12 @@ struct PlacedObject {
   double found_at_s = 0.0, error_m = 0.0;
   double cover = 0.0, purity = 0.0;  // of the segment that counted or came nearest
   bool operator==(const PlacedObject& other) const;
+};
+
+/// Something that lies or stands about and can move, and where it truly is.
+struct MovableBody {
+  std::string name, kind;  // kind: in the catalogue; empty: the world's own
+  Transform<Map, Object> T_map_body;
 };
 
 /// A touch of something by the robot.
@@ -68,6 +82,9 @@ struct Slice {
 [[nodiscard]] std::string frame_line(Stamp taken, Slice colour, Slice depth);
 [[nodiscard]] std::string examined_line(const mission::ExaminationEvent& event, Slice picture);
 [[nodiscard]] std::string objects_line(Stamp stamp, const std::vector<PlacedObject>& objects);
+/// Bodies that are where they were not, and names of those that are gone.
+[[nodiscard]] std::string bodies_line(Stamp stamp, const std::vector<MovableBody>& bodies,
+                                      const std::vector<std::string>& gone);
 [[nodiscard]] std::string collision_line(const Touch& touch);
 [[nodiscard]] std::string log_line(Stamp stamp, std::string_view text);
 /// `report_json`: report.json or report.partial.json.

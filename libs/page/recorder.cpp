@@ -13,6 +13,7 @@ constexpr Duration kPosePeriod = std::chrono::milliseconds(200);
 constexpr Duration kFramePeriod = std::chrono::seconds(1);
 constexpr Duration kVoxelPeriod = std::chrono::seconds(1);
 constexpr Duration kProgressPeriod = std::chrono::seconds(1);
+constexpr double kMoved = 2e-3;  // of an element of the matrix: 2 mm, 0.1 degrees
 
 /// `next` is due at `now`: it moves on by whole periods.
 bool due(Stamp now, Stamp& next, Duration period) {
@@ -51,6 +52,7 @@ void Recorder::begin(const Beginning& beginning, Onlooker onlooker) {
   onlooker_ = std::move(onlooker);
   write(start_line(beginning));
   write_objects();
+  write_bodies();
 }
 
 void Recorder::attach(mission::Sinks& sinks) {
@@ -77,6 +79,7 @@ void Recorder::settle() {
   write_knowledge();
   write_objects();
   write_collisions();
+  write_bodies();
 }
 
 void Recorder::end(std::string_view report_json) {
@@ -107,6 +110,7 @@ void Recorder::on_step(const mission::StepEvent& event) {
   write_frame();
   write(pose_line(event, onlooker_.true_pose()));
   write_collisions();
+  write_bodies();
   if (due(now_, next_voxels_, kVoxelPeriod)) write_voxels();
   timeline_.flush();
 }
@@ -191,6 +195,24 @@ void Recorder::write_objects() {
 void Recorder::write_collisions() {
   const std::vector<Touch> touches = onlooker_.collisions();
   for (; told_collisions_ < touches.size(); ++told_collisions_) write(collision_line(touches[told_collisions_]));
+}
+
+void Recorder::write_bodies() {
+  std::vector<MovableBody> moved;
+  std::map<std::string, Eigen::Isometry3d> now;
+  for (MovableBody& body : onlooker_.bodies()) {
+    const auto told = told_bodies_.find(body.name);
+    const bool same = told != told_bodies_.end() &&
+                      (told->second.matrix() - body.T_map_body.T.matrix()).cwiseAbs().maxCoeff() < kMoved;
+    now[body.name] = same ? told->second : body.T_map_body.T;
+    if (!same) moved.push_back(std::move(body));
+  }
+  std::vector<std::string> gone;
+  for (const auto& [name, T] : told_bodies_) {
+    if (!now.contains(name)) gone.push_back(name);
+  }
+  told_bodies_ = std::move(now);
+  if (!moved.empty() || !gone.empty()) write(bodies_line(now_, moved, gone));
 }
 
 }  // namespace amiss::page

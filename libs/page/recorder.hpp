@@ -1,6 +1,6 @@
 // Writes down what a run does while it does it: Sinks -> timeline.jsonl (one event a line, see events.hpp) and
 // camera.bin (JPEG pictures one after the other) in the run folder, and the same lines into a History for pages that
-// watch. Poses five times and pictures once in a simulated second, everything else when it changes. The same run writes
+// watch. Poses and what moved five times and pictures once in a simulated second, everything else when it changes. The same run writes
 // the same bytes, watched or not, but for the report in its last line. A run that is killed leaves all but what the
 // operating system had not written. std::runtime_error where the folder cannot be written.
 #pragma once
@@ -22,6 +22,7 @@ struct Onlooker {
   std::function<Pose2<Map, Base>()> true_pose;
   std::function<std::vector<PlacedObject>()> objects;
   std::function<std::vector<Touch>()> collisions;  // all so far
+  std::function<std::vector<MovableBody>()> bodies;  // all that are there
   std::function<const knowledge::Knowledge&()> knowledge;
   std::function<const mapping::VoxelMap&()> voxels;
 };
@@ -62,6 +63,7 @@ class Recorder {
   void write_knowledge();
   void write_objects();
   void write_collisions();
+  void write_bodies();
 
   History& history_;
   std::filesystem::path folder_;
@@ -76,6 +78,7 @@ class Recorder {
   std::string told_regions_, told_views_;  // without their stamps
   std::vector<PlacedObject> told_objects_;
   std::size_t told_collisions_ = 0;
+  std::map<std::string, Eigen::Isometry3d> told_bodies_;  // by name
   Worker worker_;
 };
 

@@ -114,6 +114,25 @@ TEST_F(RecorderOf, TellsKnowledgeAndVerdictsOnceForEachChange) {
   EXPECT_EQ(of_kind(events, "progress").size(), 1U) << "no more than one a second";
 }
 
+TEST_F(RecorderOf, TellsOfBodiesWhenTheyMoveOrGo) {
+  run.place.T_world_map.T.translate(Eigen::Vector3d(6.0, 5.0, 0.01));
+  run.bodies.push_back({"mug", "mug", {}});
+  run.bodies.push_back({"ball", "", {}});
+  run.during = [&](mission::Sinks&, int i) {
+    if (i > 20 && i <= 50) run.bodies[0].T_map_body.T.pretranslate(Eigen::Vector3d(0.0, 1e-4, 0.0));
+    if (i == 80) run.bodies.pop_back();
+  };
+  const auto events = record(2.0);
+  EXPECT_EQ(events.front()["place"],
+            json({{"world", "lab"}, {"robot", ""}, {"T_world_map", {6.0, 5.0, 0.01, 0.0, 0.0, 0.0, 1.0}}}));
+  const auto bodies = of_kind(events, "bodies");
+  ASSERT_EQ(bodies.size(), 3U) << "all at first, 2 mm at least, one that is gone";
+  EXPECT_EQ(bodies[0]["list"].size(), 2U);
+  EXPECT_EQ(bodies[1]["list"][0]["name"], "mug");
+  EXPECT_GE(bodies[1]["list"][0]["pose"][1], 0.002);
+  EXPECT_EQ(bodies[2]["gone"], json({"ball"}));
+}
+
 TEST_F(RecorderOf, WritesTheSameWithAndWithoutAThread) {
   test::TemporaryFolder other;
   History second;

@@ -30,9 +30,10 @@ class SmallRun {
     onlooker.true_pose = [] { return Pose2<Map, Base>{0.5, 0.25, 0.0}; };
     onlooker.objects = [this] { return objects; };
     onlooker.collisions = [this] { return touches; };
+    onlooker.bodies = [this] { return bodies; };
     onlooker.knowledge = [this]() -> const knowledge::Knowledge& { return knowledge.now(); };
     onlooker.voxels = [this]() -> const mapping::VoxelMap& { return current; };
-    recorder.begin({"0.0.0", "lab", "dynamic", 7, &floor, &reference, &model, 0.1, 0.5, 0.5}, onlooker);
+    recorder.begin({"0.0.0", "lab", "dynamic", 7, &floor, &reference, &model, 0.1, 0.5, 0.5, place}, onlooker);
     for (int i = 1; i * 0.02 <= seconds_s + 1e-9; ++i) {
       now = Stamp(std::chrono::milliseconds(20 * i));
       if (during) during(sinks, i);
@@ -56,6 +57,8 @@ class SmallRun {
   knowledge::KnowledgeBase knowledge{knowledge::Params()};
   std::vector<page::PlacedObject> objects;
   std::vector<page::Touch> touches;
+  std::vector<page::MovableBody> bodies;
+  page::Place place{"lab", "", {}};
   RgbdFrame frame;
   Stamp now;
   int steps_before = 0;
