@@ -20,6 +20,7 @@ void add_make(CLI::App& dataset, int& exit_status) {
   make->add_option("-j,--jobs", o->jobs, "processes at a time")->check(CLI::Range(1, 64))->capture_default_str();
   make->add_option("--params", o->params_file, "YAML file of parameters");
   make->add_option("--set", o->overrides, "key=value, overrides a parameter; may be repeated");
+  make->add_flag("!--no-rawlog", o->rawlog, "recordings without recording.rawlog, which is half of their bytes");
   make->add_flag("--quiet", o->quiet, "no progress");
   make->add_option("--child", o->child)->group("");  // one part of the work, in this process
   make->callback([o, &exit_status] { exit_status = make_dataset(*o); });

@@ -48,8 +48,8 @@ JobName parsed(const std::string& job) {
 
 }  // namespace
 
-DatasetJobs::DatasetJobs(fs::path out, const DatasetSettings& settings, std::uint64_t seed)
-    : out_(std::move(out)), settings_(settings), seed_(seed), resources_(find_resources()) {}
+DatasetJobs::DatasetJobs(fs::path out, const DatasetSettings& settings, std::uint64_t seed, bool rawlog)
+    : out_(std::move(out)), settings_(settings), seed_(seed), rawlog_(rawlog), resources_(find_resources()) {}
 
 fs::path DatasetJobs::placement(const std::string& room, std::size_t visit) const {
   return out_ / "placements" / room / scene_name(visit);
@@ -87,7 +87,8 @@ std::vector<std::string> DatasetJobs::preparations(const std::vector<world::Room
 
 int DatasetJobs::run(const std::string& job) const {
   const JobName name = parsed(job);
-  const DatasetRoom room = load_room(resources_, chosen_rooms(resources_, {name.room}, std::nullopt).front(), settings_);
+  const DatasetRoom room =
+      load_room(resources_, chosen_rooms(resources_, {name.room}, std::nullopt).front(), settings_);
   if (name.what == "map") return map(room);
   if (name.what == "place") return place(room, name.number);
   if (name.what == "record") return record(room, name.number);
@@ -126,10 +127,9 @@ int DatasetJobs::record(const DatasetRoom& room, std::size_t visit) const {
   const std::optional<PreparedReference> prepared = reference(room);
   if (!prepared) return kInterrupted;
   const sim::Visit content = load_visit(placement(room.plan.world, visit), room);
-  const std::uint64_t seed =
-      RandomStream(seed_, "dataset/" + room.plan.world + "/" + scene_name(visit)).next() >> 16U;
+  const std::uint64_t seed = RandomStream(seed_, "dataset/" + room.plan.world + "/" + scene_name(visit)).next() >> 16U;
   const bool whole = make_whole(recording(room.plan.world, visit), [&](const fs::path& folder) {
-    return record_visit({room, settings_, *prepared, content, scene_name(visit), seed}, folder);
+    return record_visit({room, settings_, *prepared, content, scene_name(visit), seed, rawlog_}, folder);
   });
   if (whole) return kGoalMet;
   if (interrupted()) return kInterrupted;

@@ -14,7 +14,7 @@ namespace amiss::app {
 
 class DatasetJobs {
  public:
-  DatasetJobs(std::filesystem::path out, const DatasetSettings& settings, std::uint64_t seed);
+  DatasetJobs(std::filesystem::path out, const DatasetSettings& settings, std::uint64_t seed, bool rawlog);
 
   [[nodiscard]] std::vector<std::string> preparations(const std::vector<world::RoomPlan>& plans) const;
   [[nodiscard]] std::vector<std::string> visits(const std::vector<world::RoomPlan>& plans) const;
@@ -35,6 +35,7 @@ class DatasetJobs {
   std::filesystem::path out_;
   DatasetSettings settings_;
   std::uint64_t seed_;
+  bool rawlog_;
   Resources resources_;
 };
 

@@ -46,6 +46,7 @@ void claim(const fs::path& folder, const DatasetOptions& options, DatasetSetting
 std::vector<std::string> words_of(const DatasetOptions& options, const std::string& job) {
   std::vector<std::string> words{own_program(),  "dataset", "make", "--out",  options.out, "--seed",
                                  std::to_string(options.seed), "--child", job};
+  if (!options.rawlog) words.emplace_back("--no-rawlog");
   if (!options.params_file.empty()) words.insert(words.end(), {"--params", options.params_file});
   for (const std::string& assignment : options.overrides) words.insert(words.end(), {"--set", assignment});
   return words;
@@ -101,7 +102,7 @@ class Work {
 int make_dataset(const DatasetOptions& options) {
   catch_interrupts();
   DatasetSettings settings = load_dataset_settings(options.params_file, options.overrides);
-  const DatasetJobs jobs(options.out, settings, options.seed);
+  const DatasetJobs jobs(options.out, settings, options.seed, options.rawlog);
   if (!options.child.empty()) return jobs.run(options.child);
   const auto plans = chosen_rooms(find_resources(), options.rooms, options.visits);
   claim(options.out, options, settings);

@@ -19,6 +19,7 @@ struct DatasetOptions {
   int jobs = 1;
   std::string params_file;
   std::vector<std::string> overrides;
+  bool rawlog = true;  // each recording also as an MRPT rawlog
   bool quiet = false;
   std::string child;  // this job alone, in this process (dataset_jobs.hpp)
 };

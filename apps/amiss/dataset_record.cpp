@@ -66,6 +66,7 @@ bool record_visit(const VisitToRecord& visit, const std::filesystem::path& folde
   mission::Params params = visit.settings.run.mission;
   params.perception.time_limit_s = kLongestVisit;
   DatasetRecorder recorder(folder, simulator, visit.prepared.T_world_map, params.perception.floor_clearance_m);
+  if (visit.rawlog) recorder.also_as_rawlog();
   ObservedRobot robot(simulator, [&](const robot::Observation& seen) { recorder.observed(seen); });
   mission::Sinks sinks;
   sinks.stop = interrupted;

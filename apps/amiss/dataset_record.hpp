@@ -15,6 +15,7 @@ struct VisitToRecord {
   const sim::Visit& content;
   std::string scene;
   std::uint64_t seed = 1;
+  bool rawlog = true;
 };
 
 [[nodiscard]] bool record_visit(const VisitToRecord& visit, const std::filesystem::path& folder);

@@ -22,7 +22,13 @@ DatasetRecorder::DatasetRecorder(const std::filesystem::path& folder, const sim:
       writer_(folder, {simulator.model().camera, dataset::kTumDepthScale}),
       instances_(folder / "truth") {}
 
+void DatasetRecorder::also_as_rawlog() {
+  rawlog_ =
+      std::make_unique<recording::RawlogWriter>(folder_ / "recording.rawlog", simulator_.model().T_base_laser, false);
+}
+
 void DatasetRecorder::observed(const robot::Observation& seen) {
+  if (rawlog_) rawlog_->record(seen);
   log_.add(seen.odometry);
   if (seen.scan) log_.add(*seen.scan, seen.odometry, simulator_.model().T_base_laser);
   const Transform<Base, Camera> T_base_camera = simulator_.model().T_base_camera(seen.head);
@@ -37,8 +43,8 @@ void DatasetRecorder::believed(const mission::StepEvent& step) {
 void DatasetRecorder::framed(const mission::FrameEvent& event) {
   const RgbdFrame& frame = *event.frame;
   const world::InstanceImage* shown = simulator_.instances_of(frame.stamp);
-  const auto moment = std::find_if(moments_.begin(), moments_.end(),
-                                   [&](const Moment& m) { return m.stamp == frame.stamp; });
+  const auto moment =
+      std::find_if(moments_.begin(), moments_.end(), [&](const Moment& m) { return m.stamp == frame.stamp; });
   if (shown == nullptr || moment == moments_.end()) return;  // of before the recording
   dataset::PosedFrame posed{frame, event.T_map_camera};
   posed.T_map_camera.T.pretranslate(Eigen::Vector3d(0.0, 0.0, floor_clearance_m_));
@@ -47,7 +53,8 @@ void DatasetRecorder::framed(const mission::FrameEvent& event) {
   ++frames_;
 }
 
-void DatasetRecorder::finish() const {
+void DatasetRecorder::finish() {
+  if (rawlog_) rawlog_->close();
   instances_.finish();
   save_atomically(folder_ / "laser.log", log_.bytes());
   writer_.save_associations();

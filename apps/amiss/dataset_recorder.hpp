@@ -2,11 +2,13 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 
 #include "dataset/carmen_log.hpp"
 #include "dataset/instance_images.hpp"
 #include "dataset/tum_writer.hpp"
 #include "mission/sinks.hpp"
+#include "recording/rawlog_writer.hpp"
 #include "robot/model.hpp"
 #include "score/alignment.hpp"
 #include "sim/simulator.hpp"
@@ -37,10 +39,13 @@ class DatasetRecorder {
   DatasetRecorder(const std::filesystem::path& folder, const sim::Simulator& simulator,
                   const Pose2<World, Map>& T_world_map, double floor_clearance_m);
 
+  /// recording.rawlog beside the images, from now on.
+  void also_as_rawlog();
+
   void observed(const robot::Observation& seen);
   void believed(const mission::StepEvent& step);
   void framed(const mission::FrameEvent& event);
-  void finish() const;
+  void finish();
 
   [[nodiscard]] std::size_t frames() const { return frames_; }
   [[nodiscard]] const std::vector<score::PosePair>& poses() const { return poses_; }
@@ -58,6 +63,7 @@ class DatasetRecorder {
   dataset::TumWriter writer_;
   dataset::InstanceWriter instances_;
   dataset::CarmenLog log_;
+  std::unique_ptr<recording::RawlogWriter> rawlog_;
   std::deque<Moment> moments_;  // the latest ones
   std::size_t frames_ = 0;
   std::vector<score::PosePair> poses_;

@@ -1,7 +1,10 @@
 // `amiss dataset` as its users see it: two visits to the smallest room, recorded with hasty looks round.
 #include <gtest/gtest.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CRawlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -20,8 +23,8 @@ using nlohmann::json;
 using test::Ended;
 
 Ended make(const fs::path& folder, const std::string& out, std::vector<std::string> more) {
-  std::vector<std::string> arguments{"dataset", "make",      "--out", out,           "--rooms", "office_desk", "--visits",
-                                     "1",       "--set",     "tour.pan=10", "--set", "tour.head_rate=1"};
+  std::vector<std::string> arguments{"dataset",  "make", "--out", out,           "--rooms", "office_desk",
+                                     "--visits", "1",    "--set", "tour.pan=10", "--set",   "tour.head_rate=1"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return test::run(arguments, folder);
 }
@@ -101,6 +104,31 @@ TEST_F(Dataset, AnotherDataSetIsNotMixedIn) {
   EXPECT_FALSE(fs::exists(folder->path() / "x"));
 }
 
+TEST_F(Dataset, MrptReadsTheSameRecording) {
+  mrpt::obs::CRawlog log;
+  ASSERT_TRUE(log.loadFromRawLogFile((scene("scene2") / "recording.rawlog").string()));
+  const auto recording = dataset::open_recording(scene("scene2"));
+  const RgbdFrame first = recording->load(0).frame;
+  const auto width = static_cast<std::size_t>(first.intrinsics.width);
+  std::map<std::string, std::size_t> counts;
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const auto observation = log.getAsObservation(i);
+    ++counts[observation->sensorLabel];
+    if (observation->sensorLabel != "CAMERA") continue;
+    const auto& camera = dynamic_cast<const mrpt::obs::CObservation3DRangeScan&>(*observation);
+    if (std::abs(mrpt::Clock::toDouble(camera.timestamp) - seconds(first.stamp)) > 1e-6) continue;
+    for (std::size_t pixel = 0; pixel < first.depth_m.size(); pixel += 101, ++same) {
+      const float theirs_m = 0.001F * static_cast<float>(camera.rangeImage(pixel / width, pixel % width));
+      EXPECT_NEAR(std::isnan(first.depth_m[pixel]) ? 0.0F : first.depth_m[pixel], theirs_m, 0.0007F) << pixel;
+    }
+  }
+  EXPECT_GT(same, 1000U) << "the first image of the folder is in the rawlog";
+  EXPECT_GE(counts["CAMERA"], recording->size());
+  EXPECT_GT(counts["LASER"], counts["CAMERA"]);
+  EXPECT_GT(counts["ODOMETRY"], counts["LASER"]);
+}
+
 /// A cloud of what a few frames saw is a reconstruction, too.
 TEST_F(Dataset, AReconstructionIsAnnotatedInTheLayoutOfFullRooms) {
   const auto recording = dataset::open_recording(scene("scene2"));
@@ -119,14 +147,13 @@ TEST_F(Dataset, AReconstructionIsAnnotatedInTheLayoutOfFullRooms) {
     }
   }
   dataset::save_cloud(folder->path() / "made.ply", cloud);
-  const Ended ended = test::run({"dataset", "annotate", scene("scene2").string(), "made.ply", "--out", "rooms"},
-                                folder->path());
+  const Ended ended =
+      test::run({"dataset", "annotate", scene("scene2").string(), "made.ply", "--out", "rooms"}, folder->path());
   ASSERT_EQ(ended.status, 0) << ended.err;
   const fs::path room = folder->path() / "rooms" / "office_desk";
   EXPECT_EQ(dataset::load_cloud(room / "scene2.pcd").cloud().points.size(), cloud.cloud().points.size());
   const fs::path anno = room / "Annotations" / "scene2_GT.anno";
-  const auto objects =
-      dataset::parse_annotations(load_bytes(anno), anno.string(), cloud.cloud().points.size());
+  const auto objects = dataset::parse_annotations(load_bytes(anno), anno.string(), cloud.cloud().points.size());
   ASSERT_FALSE(objects.empty());
   for (const dataset::AnnotatedObject& object : objects) {
     Eigen::AlignedBox3f box;

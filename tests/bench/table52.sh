@@ -20,7 +20,7 @@ visit() {
 }
 export -f visit
 
-"$amiss" dataset make --out "$out/dataset" -j "$jobs"
+"$amiss" dataset make --out "$out/dataset" --no-rawlog -j "$jobs"
 mkdir -p "$out/made"
 printf '%s\n' "$out"/dataset/recordings/*/*/ | xargs -P "$jobs" -I{} bash -euc 'visit {}'
 "$amiss" evaluate chapter5 "$out/rooms" --methods all --labels forest --out "$out/table" -j "$jobs"
