@@ -1,4 +1,5 @@
 // amiss evaluate chapter5 DATASET: Table 5.2 of the thesis on a data set in ObChange's layout.
+// amiss evaluate reconstructions NAME=DATASET...: the same over several reconstructions of the same rooms (5.3.6).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,13 +7,10 @@
 #include <future>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "core/files.hpp"
 #include "core/result.hpp"
-#include "evaluate_trials.hpp"
-#include "experiment/table_markup.hpp"
+#include "evaluate_tables.hpp"
 #include "interrupt.hpp"
 #include "time_left.hpp"
 
@@ -25,7 +23,8 @@ namespace fs = std::filesystem;
 constexpr double kGuess_s = 20.0;  // of a visit
 
 struct Arguments {
-  std::string dataset, out;
+  std::vector<std::string> datasets;  // for `reconstructions` each as NAME=DATASET
+  std::string out;
   std::vector<std::string> methods{"all"};
   DetectSettings settings;
   int jobs = 1;
@@ -51,7 +50,7 @@ std::vector<std::string> chosen_methods(const std::vector<std::string>& words) {
   return chosen;
 }
 
-std::vector<TrialResult> all_trials(const Arguments& a, const std::vector<Visit>& visits) {
+std::vector<TrialResult> all_trials(const Arguments& a, const std::vector<Visit>& visits, const fs::path& out) {
   const std::vector<std::string> methods = chosen_methods(a.methods);
   const bool all = a.methods == std::vector<std::string>{"all"};
   TimeLeft time_left(kGuess_s / a.jobs, "visits");
@@ -60,7 +59,7 @@ std::vector<TrialResult> all_trials(const Arguments& a, const std::vector<Visit>
     std::vector<std::future<std::vector<TrialResult>>> together;
     for (int k = 0; k < a.jobs && next < visits.size(); ++k, ++next) {
       together.push_back(std::async(std::launch::async,
-                                    [&, i = next] { return run_trials(visits[i], methods, a.settings, all, a.out); }));
+                                    [&, i = next] { return run_trials(visits[i], methods, a.settings, all, out); }));
     }
     for (auto& visit : together) {
       const std::vector<TrialResult> done = visit.get();
@@ -72,81 +71,78 @@ std::vector<TrialResult> all_trials(const Arguments& a, const std::vector<Visit>
   return results;
 }
 
-experiment::Table table_of(const std::vector<TrialResult>& results) {
-  std::vector<score::NovelTrial> trials;
-  for (const TrialResult& r : results) trials.push_back(r.trial);
-  experiment::Table table{
-      {"room", "method", "precision", "precision_sd", "recall", "recall_sd", "f1", "f1_sd", "missed", "wrong"}, {}};
-  const auto text = [](double v) { return fmt::format("{:.4f}", v); };
-  for (const score::NovelRow& row : score::table52(trials)) {
-    table.rows.push_back({row.room, row.method, text(row.precision.mean), text(row.precision.deviation),
-                          text(row.recall.mean), text(row.recall.deviation), text(row.f1.mean), text(row.f1.deviation),
-                          experiment::number_text(row.missed), experiment::number_text(row.wrong)});
+/// A data set with its annotated visits; InputError where it has none.
+JudgedRooms rooms_of(const std::string& name, const std::string& dataset) {
+  JudgedRooms rooms{name, dataset, annotated_visits(dataset), {}};
+  if (rooms.list.visits.empty()) {
+    throw InputError(dataset + ": no scene has annotations (Annotations/scene<N>_GT.anno) and a reference (scene1)");
   }
-  return table;
+  return rooms;
 }
 
-/// What the numbers rest on.
-std::vector<std::string> sentences_of(const std::vector<TrialResult>& results, const VisitList& list) {
-  std::vector<std::string> labels;
-  std::size_t objects = 0, with_space = 0;
-  const std::string first = results.front().trial.method;
-  for (const TrialResult& r : results) {
-    const std::string kind = r.labels.substr(0, r.labels.find(" of "));
-    if (std::find(labels.begin(), labels.end(), kind) == labels.end()) labels.push_back(kind);
-    if (r.trial.method != first) continue;
-    objects += r.objects;
-    with_space += r.space != "none" ? 1U : 0U;
+/// "octomap=rooms/octomap" -> its two parts; the name is that of a folder.
+JudgedRooms named_rooms(const std::string& word, const std::vector<JudgedRooms>& before) {
+  const std::size_t equals = word.find('=');
+  const std::string name = word.substr(0, equals);
+  const bool taken = std::any_of(before.begin(), before.end(), [&](const auto& o) { return o.reconstruction == name; });
+  if (equals == std::string::npos || name.empty() || name.front() == '.' || name.find('/') != std::string::npos ||
+      taken) {
+    throw ArgumentError(word + ": NAME=DATASET is needed, with another name for each");
   }
-  std::vector<std::string> sentences = {
-      fmt::format("{} visits with {} annotated objects. Labels: {}. Seen space is known for {} visits.",
-                  list.visits.size(), objects, fmt::join(labels, "; "), with_space),
-      "Precision, recall and F1 are counted over points; mean and standard deviation over the visits of a room, missed "
-      "objects and wrong clusters summed. average: means of the rooms, deviations over all visits."};
-  for (const std::string& why : list.left_out) sentences.push_back("Left out: " + why + ".");
-  return sentences;
+  return rooms_of(name, word.substr(equals + 1));
 }
 
-void save_tables(const Arguments& a, const std::vector<TrialResult>& results, const VisitList& list) {
-  const fs::path out = a.out;
-  const experiment::Table table = table_of(results);
-  const std::vector<std::string> sentences = sentences_of(results, list);
-  save_atomically(out / "params.yaml", a.settings.as_yaml());
-  save_atomically(out / "table52.tsv", experiment::to_tsv(table));
-  save_atomically(out / "table52.md",
-                  fmt::format("{}\n\n{}", fmt::join(sentences, "\n\n"), experiment::to_markdown(table)));
-  save_atomically(out / "table52.html", experiment::to_page("Novel objects: Table 5.2", sentences, table));
-  double longest_s = 0.0;
-  std::size_t before = 0;
-  for (const TrialResult& r : results) {
-    longest_s = std::max(longest_s, r.wall_s);
-    before += r.done_before ? 1U : 0U;
-  }
-  const nlohmann::ordered_json report = {{"schema", "amiss.table52.1"},
-                                         {"version", AMISS_VERSION},
-                                         {"dataset", a.dataset},
-                                         {"visits", list.visits.size()},
-                                         {"trials", results.size()},
-                                         {"left_out", list.left_out},
-                                         {"wall", {{"longest_detection_s", longest_s}, {"done_before", before}}}};
-  save_atomically(out / "report.json", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  if (a.quiet) return;
-  for (const std::string& sentence : sentences) std::cout << sentence << "\n";
-  std::cout << experiment::to_columns(table);
-}
-
-int run(const Arguments& a) {
+int run(const Arguments& a, const std::string& stem, std::vector<JudgedRooms> judged) {
   catch_interrupts();
-  (void)chosen_methods(a.methods);
-  const VisitList list = annotated_visits(a.dataset);
-  if (list.visits.empty()) {
-    throw InputError(a.dataset + ": no scene has annotations (Annotations/scene<N>_GT.anno) and a reference (scene1)");
-  }
   fs::create_directories(a.out);
-  const std::vector<TrialResult> results = all_trials(a, list.visits);
-  if (interrupted()) return kInterrupted;
-  save_tables(a, results, list);
+  for (JudgedRooms& rooms : judged) {
+    rooms.results = all_trials(a, rooms.list.visits, fs::path(a.out) / rooms.reconstruction);
+    if (interrupted()) return kInterrupted;
+  }
+  const SavedTable saved = save_tables(judged, a.settings, stem, a.out);
+  if (a.quiet) return kGoalMet;
+  for (const std::string& sentence : saved.sentences) std::cout << sentence << "\n";
+  std::cout << experiment::to_columns(saved.table);
   return kGoalMet;
+}
+
+void add_common(CLI::App& command, Arguments& a) {
+  command.add_option("--out", a.out, "folder to write; one that is not finished is continued")->required();
+  command.add_option("--methods", a.methods, "all, or some separated by commas")->delimiter(',')->capture_default_str();
+  command.add_option("-j,--jobs", a.jobs, "visits at a time")->check(CLI::Range(1, 64))->capture_default_str();
+  a.settings.add_options(command);
+  command.add_flag("--quiet", a.quiet, "no progress, no table");
+}
+
+void add_chapter5(CLI::App& evaluate, int& exit_status) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* const command = evaluate.add_subcommand("chapter5", "novel objects in full rooms: Table 5.2");
+  command->add_option("DATASET", a->datasets, "folder of rooms in ObChange's layout, or one room")
+      ->required()
+      ->expected(1);
+  add_common(*command, *a);
+  command->callback([a, &exit_status] {
+    a->settings.load();
+    (void)chosen_methods(a->methods);
+    exit_status = run(*a, "table52", {rooms_of("", a->datasets.front())});
+  });
+}
+
+void add_reconstructions(CLI::App& evaluate, int& exit_status) {
+  const auto a = std::make_shared<Arguments>();
+  a->methods = {"local-verification"};
+  CLI::App* const command =
+      evaluate.add_subcommand("reconstructions", "the same over several reconstructions of the same rooms (5.3.6)");
+  command->add_option("DATASETS", a->datasets, "NAME=DATASET: what the reconstruction is called, its folder of rooms")
+      ->required();
+  add_common(*command, *a);
+  command->callback([a, &exit_status] {
+    a->settings.load();
+    (void)chosen_methods(a->methods);
+    std::vector<JudgedRooms> judged;
+    for (const std::string& word : a->datasets) judged.push_back(named_rooms(word, judged));
+    exit_status = run(*a, "generality", std::move(judged));
+  });
 }
 
 }  // namespace
@@ -154,18 +150,8 @@ int run(const Arguments& a) {
 void add_evaluate_command(CLI::App& app, int& exit_status) {
   CLI::App* const evaluate = app.add_subcommand("evaluate", "what the methods of a chapter reach on a data set");
   evaluate->require_subcommand(1);
-  const auto a = std::make_shared<Arguments>();
-  CLI::App* const command = evaluate->add_subcommand("chapter5", "novel objects in full rooms: Table 5.2");
-  command->add_option("DATASET", a->dataset, "folder of rooms in ObChange's layout, or one room")->required();
-  command->add_option("--out", a->out, "folder to write; one that is not finished is continued")->required();
-  command->add_option("--methods", a->methods, "all, or some separated by commas")->delimiter(',');
-  command->add_option("-j,--jobs", a->jobs, "visits at a time")->check(CLI::Range(1, 64))->capture_default_str();
-  a->settings.add_options(*command);
-  command->add_flag("--quiet", a->quiet, "no progress, no table");
-  command->callback([a, &exit_status] {
-    a->settings.load();
-    exit_status = run(*a);
-  });
+  add_chapter5(*evaluate, exit_status);
+  add_reconstructions(*evaluate, exit_status);
 }
 
 }  // namespace amiss::app

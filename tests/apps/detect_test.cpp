@@ -2,6 +2,7 @@
 // write: odd names, fields and line ends that are legal.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -137,6 +138,33 @@ TEST_F(Detect, TableOfAllMethodsIsWrittenAndContinued) {
   ASSERT_EQ(amiss(call).status, 0);
   EXPECT_EQ(folder.read("out/table52.tsv"), table);
   EXPECT_EQ(json_of("out/report.json")["wall"]["done_before"], 4);
+}
+
+TEST_F(Detect, ReconstructionsOfTheSameRoomsStandInOneTable) {
+  write_room(folder, "fine/kitchen_partial", true);
+  write_room(folder, "coarse/kitchen_partial", false);
+  const std::vector<std::string> call = {"evaluate", "reconstructions", "tsdf_5mm=fine", "octomap=coarse", "--out",
+                                         "out",      "--labels",        "none"};
+  ASSERT_EQ(amiss(call).status, 0);
+  const std::string table = folder.read("out/generality.tsv");
+  EXPECT_EQ(table.rfind("room\treconstruction\tmethod\tprecision\tprecision_sd\trecall\trecall_sd\tf1\tf1_sd\t", 0),
+            0U);
+  std::vector<std::size_t> places;
+  for (const char* row : {"\nkitchen_partial\ttsdf_5mm\tlocal-verification\t1.0000",
+                          "\nkitchen_partial\toctomap\tlocal-verification\t1.0000",
+                          "\naverage\ttsdf_5mm\tlocal-verification\t1.0000", "\naverage\toctomap\t"}) {
+    places.push_back(table.find(row));
+    EXPECT_NE(places.back(), std::string::npos) << row << table;
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << table;
+  EXPECT_NE(folder.read("out/generality.md").find("octomap: 1 visits with 1 annotated objects"), std::string::npos);
+  EXPECT_NE(folder.read("out/generality.html").find("tsdf_5mm"), std::string::npos);
+  ASSERT_EQ(amiss(call).status, 0);
+  EXPECT_EQ(folder.read("out/generality.tsv"), table);
+  EXPECT_EQ(json_of("out/report.json")["wall"]["done_before"], 2);
+  EXPECT_EQ(amiss({"evaluate", "reconstructions", "a=fine", "a=coarse", "--out", "x"}).status, 2);
+  EXPECT_EQ(amiss({"evaluate", "reconstructions", "fine", "--out", "x"}).status, 2);
+  EXPECT_FALSE(fs::exists(folder.path() / "x"));
 }
 
 TEST_F(Detect, WhatCannotBeUsedIsRefusedWithASentence) {

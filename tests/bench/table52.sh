@@ -7,20 +7,8 @@ if [ $# -lt 2 ]; then
   echo "table52.sh AMISS DIR [JOBS]" >&2
   exit 2
 fi
-amiss=$(realpath "$1") out=$(realpath -m "$2") jobs=${3:-2}
-export amiss out
-
-visit() {
-  local recording=${1%/} scene room
-  scene=$(basename "$recording") room=$(basename "$(dirname "$recording")")
-  [ -e "$out/rooms/$room/$scene.pcd" ] && return
-  rm -rf "$out/made/$room-$scene"
-  "$amiss" reconstruct "$recording" --out "$out/made/$room-$scene" --quiet
-  "$amiss" dataset annotate "$recording" "$out/made/$room-$scene/cloud.ply" --out "$out/rooms"
-}
-export -f visit
+here=$(dirname "$(realpath "$0")") amiss=$(realpath "$1") out=$(realpath -m "$2") jobs=${3:-2}
 
 "$amiss" dataset make --out "$out/dataset" --no-rawlog -j "$jobs"
-mkdir -p "$out/made"
-printf '%s\n' "$out"/dataset/recordings/*/*/ | xargs -P "$jobs" -I{} bash -euc 'visit {}'
+printf '%s\n' "$out"/dataset/recordings/*/*/ | xargs -P "$jobs" -I{} bash "$here/full_room.sh" "$amiss" {} "$out"
 "$amiss" evaluate chapter5 "$out/rooms" --methods all --labels forest --out "$out/table" -j "$jobs"
