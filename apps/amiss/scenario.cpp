@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <future>
 #include <iostream>
 #include <memory>
@@ -91,10 +93,13 @@ JobResult run_in_child(const Arguments& a, const ScenarioJob& job) {
   const auto stop = [&] { return interrupted() || passed() > kLimit; };
   JobResult result = judge_job(job, experiment::run_program(words_of(a, job), "", stop, kMostOutput));
   result.wall_s = std::chrono::duration<double>(passed()).count();
+  result.finished = !interrupted();
   return result;
 }
 
-std::vector<JobResult> run_jobs(const Arguments& a, const std::vector<ScenarioJob>& jobs) {
+/// `ended`: what is done about each that finished, one at a time.
+std::vector<JobResult> run_jobs(const Arguments& a, const std::vector<ScenarioJob>& jobs,
+                                const std::function<void(std::size_t, JobResult&)>& ended) {
   std::vector<JobResult> results(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i) results[i].job = jobs[i];
   std::atomic<std::size_t> next = 0;
@@ -103,7 +108,9 @@ std::vector<JobResult> run_jobs(const Arguments& a, const std::vector<ScenarioJo
     for (std::size_t i = next++; i < jobs.size() && !interrupted(); i = next++) {
       results[i] = run_in_child(a, jobs[i]);
       const std::lock_guard lock(printing);
-      if (!a.quiet && !interrupted()) std::cout << line_of(results[i]) << std::flush;
+      if (!results[i].finished) continue;
+      ended(i, results[i]);
+      if (!a.quiet) std::cout << line_of(results[i]) << std::flush;
     }
   };
   std::vector<std::future<void>> workers;
@@ -129,36 +136,57 @@ int run_files(const Arguments& a) {
     jobs.insert(jobs.end(), own.begin(), own.end());
   }
   if (!a.out.empty()) fs::create_directories(a.out);
-  const std::vector<JobResult> results = run_jobs(a, jobs);
+  const std::vector<JobResult> results = run_jobs(a, jobs, [](std::size_t, JobResult&) {});
   const auto good =
-      std::count_if(results.begin(), results.end(), [](const JobResult& r) { return r.exit_status == 0; });
+      std::count_if(results.begin(), results.end(), [](const JobResult& r) { return r.finished && r.exit_status == 0; });
   if (!a.quiet) std::cout << good << " of " << results.size() << " as expected\n";
-  std::vector<report::JunitCase> cases;
-  for (const JobResult& r : results) cases.push_back(junit_of(r));
-  if (!a.junit.empty()) save_atomically(a.junit, report::to_junit("scenarios", cases));
+  if (!a.junit.empty()) save_atomically(a.junit, report::to_junit("scenarios", junit_of(results)));
   return status_of(results);
 }
 
-/// What holds is not kept: the files that stay are those that failed.
+constexpr std::array kEndings{".yaml", ".log", ".png"};
+
+/// What an earlier run kept of a scenario that holds now.
+void forget(const scenario::Scenario& scenario, const fs::path& folder) {
+  for (const char* ending : kEndings) fs::remove(folder / (scenario.name + ending));
+}
+
+/// The file, log and floor plan of a scenario that failed.
+void keep_failed(const scenario::Scenario& scenario, JobResult& result, const fs::path& folder) {
+  const fs::path judged = save_random_scenario(scenario, folder);
+  for (const char* ending : kEndings) {
+    const fs::path made = fs::path(result.job.file).replace_extension(ending);
+    if (ending != kEndings[0] && fs::exists(made)) fs::rename(made, fs::path(judged).replace_extension(ending));
+  }
+  result.job.file = judged;
+}
+
+/// What stands in the folder failed: each scenario waits in a folder of its own until it is judged.
 int run_random(Arguments a) {
   const fs::path folder =
       a.out.empty() ? fs::path("runs") / ("random-" + std::to_string(a.random.seed)) : fs::path(a.out);
-  a.out = folder.string();
-  const std::vector<fs::path> files = write_random_scenarios(a.random, folder);
-  if (a.write_only) return kGoalMet;
+  const fs::path waiting = folder / "not_judged";
+  fs::remove_all(waiting);
+  a.out = waiting.string();
+  const std::vector<scenario::Scenario> scenarios = random_scenarios(a.random);
   std::vector<ScenarioJob> jobs;
-  for (const fs::path& file : files) jobs.push_back({file, -1, file.stem().string(), {}});
-  const std::vector<JobResult> results = run_jobs(a, jobs);
-  std::vector<report::JunitCase> cases;
-  std::size_t failed = 0;
-  for (const JobResult& r : results) {
-    cases.push_back(junit_of(r));
-    if (r.exit_status != kGoalMet) ++failed;
-    if (r.exit_status != kGoalMet || interrupted()) continue;
-    for (const char* ending : {".yaml", ".log", ".png"}) fs::remove(fs::path(r.job.file).replace_extension(ending));
+  for (const scenario::Scenario& s : scenarios) {
+    jobs.push_back({save_random_scenario(s, a.write_only ? folder : waiting), -1, s.name, {}});
   }
-  if (!a.junit.empty()) save_atomically(a.junit, report::to_junit("random scenarios", cases));
-  if (!a.quiet) std::cout << failed << " of " << results.size() << " failed; kept in " << folder.string() << "\n";
+  if (a.write_only) return kGoalMet;
+  std::size_t finished = 0, failed = 0;
+  const std::vector<JobResult> results = run_jobs(a, jobs, [&](std::size_t i, JobResult& result) {
+    ++finished;
+    if (result.exit_status == kGoalMet) return forget(scenarios[i], folder);
+    ++failed;
+    keep_failed(scenarios[i], result, folder);
+  });
+  fs::remove_all(waiting);
+  if (!a.junit.empty()) save_atomically(a.junit, report::to_junit("random scenarios", junit_of(results)));
+  if (!a.quiet) {
+    std::cout << failed << " of " << finished << " failed; kept in " << folder.string() << "\n";
+    if (finished < results.size()) std::cout << results.size() - finished << " did not finish\n";
+  }
   return status_of(results);
 }
 

@@ -42,6 +42,19 @@ void judge_broken(const Json& findings, JobResult& result) {
                                          failed.empty() ? "nothing" : fmt::format("{}", fmt::join(failed, ", "))));
 }
 
+report::JunitCase case_of(const JobResult& result) {
+  using Kind = report::JunitCase::Kind;
+  const Kind kind = result.exit_status == kGoalMet      ? Kind::kPassed
+                    : result.exit_status == kGoalNotMet ? Kind::kFailed
+                                                        : Kind::kError;
+  return {result.job.name,
+          result.job.file.string(),
+          result.wall_s,
+          kind,
+          fmt::format("{}", fmt::join(result.sentences, "; ")),
+          result.log};
+}
+
 }  // namespace
 
 std::vector<ScenarioJob> jobs_of(const scenario::Scenario& scenario, bool prove) {
@@ -100,17 +113,12 @@ JobResult judge_job(const ScenarioJob& job, const experiment::Ended& child) {
   return result;
 }
 
-report::JunitCase junit_of(const JobResult& result) {
-  using Kind = report::JunitCase::Kind;
-  const Kind kind = result.exit_status == kGoalMet      ? Kind::kPassed
-                    : result.exit_status == kGoalNotMet ? Kind::kFailed
-                                                        : Kind::kError;
-  return {result.job.name,
-          result.job.file.string(),
-          result.wall_s,
-          kind,
-          fmt::format("{}", fmt::join(result.sentences, "; ")),
-          result.log};
+std::vector<report::JunitCase> junit_of(const std::vector<JobResult>& results) {
+  std::vector<report::JunitCase> cases;
+  for (const JobResult& r : results) {
+    if (r.finished) cases.push_back(case_of(r));
+  }
+  return cases;
 }
 
 std::string line_of(const JobResult& result) {

@@ -25,6 +25,7 @@ struct ScenarioJob {
 
 struct JobResult {
   ScenarioJob job;
+  bool finished = false;  // or interrupted, or never begun: then nothing else says anything
   int exit_status = 0;  // 0 as expected, 1 an expectation failed, 2 and 3 a wrong scenario, 4 the program failed
   std::vector<std::string> sentences;
   std::string log;
@@ -38,7 +39,8 @@ struct JobResult {
 /// What a child's end says of its job; one that was stopped was too slow.
 [[nodiscard]] JobResult judge_job(const ScenarioJob& job, const experiment::Ended& child);
 
-[[nodiscard]] report::JunitCase junit_of(const JobResult& result);
+/// Of those that finished.
+[[nodiscard]] std::vector<report::JunitCase> junit_of(const std::vector<JobResult>& results);
 /// "ok       name   12.3 s (1.2 s)" and the sentences of what failed.
 [[nodiscard]] std::string line_of(const JobResult& result);
 

@@ -67,7 +67,7 @@ std::vector<world::AddBody> on_the_floor(const std::vector<sim::ScatteredObject>
 
 }  // namespace
 
-std::vector<fs::path> write_random_scenarios(const RandomScenarios& wanted, const fs::path& folder) {
+std::vector<scenario::Scenario> random_scenarios(const RandomScenarios& wanted) {
   const Resources resources = find_resources();
   const Settings settings = load_settings("", {});
   const fs::path file = fs::absolute(find_world(resources, wanted.world));
@@ -75,22 +75,28 @@ std::vector<fs::path> write_random_scenarios(const RandomScenarios& wanted, cons
   const robot::Model model = robot::load_model(resources.robot);
   const Pose2<World, Base> start = start_pose(world, model, {});
   const world::Catalogue catalogue = world::load_catalogue({resources.objects}, settings.world);
-  const scenario::Vocabulary words = vocabulary_of(resources);
   const std::vector<Eigen::Vector2d> places = standing_places(world, model, start);
   scenario::Stage stage{fs::exists(wanted.world) ? file.string() : wanted.world, {}, {}, start.position()};
 
-  fs::create_directories(folder);
-  std::vector<fs::path> files;
+  std::vector<scenario::Scenario> scenarios;
   for (int number = 1; number <= wanted.count; ++number) {
     RandomStream random(wanted.seed, "random_scenarios/objects/" + std::to_string(number));
     stage.objects =
         on_the_floor(sim::scatter(scenario::kMostObjects, catalogue, world, model, start, random, settings.scatter));
     stage.standing_m = apart_from(stage.objects, places, start.position());
-    const scenario::Scenario scenario = scenario::random_scenario(stage, wanted.seed, number);
-    files.push_back(folder / (scenario.name + ".yaml"));
-    scenario::save_scenario(files.back(), scenario, words);
+    scenarios.push_back(scenario::random_scenario(stage, wanted.seed, number));
   }
-  return files;
+  return scenarios;
+}
+
+fs::path save_random_scenario(scenario::Scenario scenario, const fs::path& folder) {
+  fs::create_directories(folder);
+  if (fs::path(scenario.world).is_absolute()) {
+    scenario.world = fs::relative(scenario.world, folder).generic_string();
+  }
+  const fs::path file = folder / (scenario.name + ".yaml");
+  scenario::save_scenario(file, scenario, vocabulary_of(find_resources()));
+  return file;
 }
 
 }  // namespace amiss::app

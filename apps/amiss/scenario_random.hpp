@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "scenario/scenario.hpp"
+
 namespace amiss::app {
 
 struct RandomScenarios {
@@ -14,8 +16,9 @@ struct RandomScenarios {
   std::string world = "small_room";
 };
 
-/// The same bytes for the same wishes. Returns the files, in order.
-[[nodiscard]] std::vector<std::filesystem::path> write_random_scenarios(const RandomScenarios& wanted,
-                                                                        const std::filesystem::path& folder);
+/// The same for the same wishes. Their world is a name or an absolute file.
+[[nodiscard]] std::vector<scenario::Scenario> random_scenarios(const RandomScenarios& wanted);
+/// As NAME.yaml in a folder, which is made where it is missing; a world that is a file is named by its way from there.
+std::filesystem::path save_random_scenario(scenario::Scenario scenario, const std::filesystem::path& folder);
 
 }  // namespace amiss::app

@@ -91,6 +91,34 @@ TEST_F(RandomScenarioCli, ThoseThatFailAreKeptAndRunAgain) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "kept")) << "what holds is not kept";
 }
 
+TEST_F(RandomScenarioCli, AKeptFileNamesItsWorldByTheWayFromThere) {
+  std::vector<std::string> arguments = words("1", "7", "house/kept");
+  arguments[6] = "house/rooms.sdf";
+  arguments.emplace_back("--write-only");
+  std::filesystem::create_directory(folder.path() / "house");
+  folder.write("house/rooms.sdf", R"(<sdf version="1.9"><world name="rooms">
+    <frame name="robot_start"><pose>0 0 0 0 0 0</pose></frame>
+    <model name="floor"><static>true</static><link name="link"><collision name="c"><pose>0 0 -0.05 0 0 0</pose>
+    <geometry><box><size>6 6 0.1</size></box></geometry></collision></link></model></world></sdf>)");
+  const Ended ended = test::run(arguments, folder.path());
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string text = folder.read("house/kept/random-7-1.yaml");
+  EXPECT_NE(text.find("world: '../rooms.sdf'"), std::string::npos) << text;
+}
+
+TEST_F(RandomScenarioCli, AnInterruptedOneLeavesNothingThatLooksLikeAFailure) {
+  test::use_test_cache();
+  test::Program program(words("40", "7", "cut"), folder.path());
+  const auto waiting = folder.path() / "cut" / "not_judged";
+  while (program.runs() && !std::filesystem::exists(waiting / "random-7-40.yaml")) ::usleep(10000);
+  ::usleep(500000);
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait().status, 130);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "cut")) {
+    ADD_FAILURE() << entry.path() << " was left";
+  }
+}
+
 TEST_F(RandomScenarioCli, WhatExcludesEachOtherIsTwo) {
   EXPECT_EQ(test::run({"scenario"}, folder.path()).status, 2);
   EXPECT_EQ(test::run({"scenario", "s.yaml", "--random", "2"}, folder.path()).status, 2);
