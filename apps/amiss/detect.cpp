@@ -90,8 +90,7 @@ nlohmann::ordered_json report_of(const Arguments& a, const Pair& pair, const Loa
 
 void detect(const Arguments& a, const Pair& pair) {
   const auto begin = Clock::now();
-  const LoadedScene reference = load_scene(pair.reference, a.settings.labels);
-  const LoadedScene current = load_scene(pair.current, a.settings.labels);
+  const auto [reference, current] = load_scenes(pair.reference, pair.current, a.settings.labels);
   check_labels(a.method, current);
   const double read_s = seconds_since(begin);
   const report::RunFolder folder(pair.out);

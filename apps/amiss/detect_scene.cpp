@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "core/result.hpp"
 #include "mapping/voxel_files.hpp"
@@ -98,6 +99,12 @@ LoadedScene load_scene(const SceneSource& source, const LabelSource& labels) {
     loaded.space = source.space->filename().string();
   }
   return loaded;
+}
+
+LoadedScenes load_scenes(const SceneSource& reference, const SceneSource& current, const LabelSource& labels) {
+  auto second = std::async(std::launch::async, [&] { return load_scene(current, labels); });
+  LoadedScene first = load_scene(reference, labels);
+  return {std::move(first), second.get()};
 }
 
 }  // namespace amiss::app

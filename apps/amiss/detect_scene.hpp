@@ -43,4 +43,11 @@ struct LoadedScene {
 };
 [[nodiscard]] LoadedScene load_scene(const SceneSource& source, const LabelSource& labels);
 
+struct LoadedScenes {
+  LoadedScene reference, current;
+};
+/// Both at a time; where both cannot be read, the error is the reference's.
+[[nodiscard]] LoadedScenes load_scenes(const SceneSource& reference, const SceneSource& current,
+                                       const LabelSource& labels);
+
 }  // namespace amiss::app

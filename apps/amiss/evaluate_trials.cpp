@@ -89,25 +89,26 @@ std::string picture_of(const LoadedScene& current, const std::vector<score::Poin
 class Rooms {
  public:
   Rooms(const Visit& visit, const DetectSettings& settings)
-      : reference_(load_scene({visit.reference.cloud, visit.reference.space}, settings.labels)),
-        current_(load_scene({visit.current.cloud, visit.current.space}, settings.labels)),
+      : scenes_(load_scenes({visit.reference.cloud, visit.reference.space}, {visit.current.cloud, visit.current.space},
+                            settings.labels)),
         objects_(dataset::parse_annotations(load_bytes(*visit.current.annotations), visit.current.annotations->string(),
-                                            current_.file.cloud().points.size())) {
+                                            scenes_.current.file.cloud().points.size())) {
     std::erase_if(objects_, [](const dataset::AnnotatedObject& object) { return object.points.empty(); });
     const auto begin = Clock::now();
-    detector_ = std::make_unique<change::NovelDetector>(reference_.scene, current_.scene, settings.params);
+    detector_ =
+        std::make_unique<change::NovelDetector>(scenes_.reference.scene, scenes_.current.scene, settings.params);
     laid_s_ = seconds_since(begin);
   }
 
-  [[nodiscard]] bool labelled() const { return !current_.scene.labels.empty(); }
+  [[nodiscard]] bool labelled() const { return !scenes_.current.scene.labels.empty(); }
 
   TrialResult run(const std::string& room, const std::string& method, const fs::path& picture) const {
-    check_labels(method, current_);
+    check_labels(method, scenes_.current);
     const auto begin = Clock::now();
     const change::Detection detection = detector_->detect(method);
     TrialResult r;
     r.wall_s = laid_s_ + seconds_since(begin);
-    const auto found = points_in_file(detection, current_);
+    const auto found = points_in_file(detection, scenes_.current);
     std::vector<score::PointSet> truth;
     for (const dataset::AnnotatedObject& object : objects_) truth.push_back(object.points);
     const score::NovelScore score = score::score_novel(found, truth);
@@ -121,14 +122,14 @@ class Rooms {
                static_cast<double>(score.wrong.size())};
     r.objects = objects_.size();
     r.clusters = found.size();
-    r.labels = current_.labels;
-    r.space = current_.space;
-    save_atomically(picture, picture_of(current_, found, objects_, score));
+    r.labels = scenes_.current.labels;
+    r.space = scenes_.current.space;
+    save_atomically(picture, picture_of(scenes_.current, found, objects_, score));
     return r;
   }
 
  private:
-  LoadedScene reference_, current_;
+  LoadedScenes scenes_;
   std::vector<dataset::AnnotatedObject> objects_;
   std::unique_ptr<change::NovelDetector> detector_;
   double laid_s_ = 0.0;

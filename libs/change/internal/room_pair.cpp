@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 namespace amiss::change::internal {
 
@@ -102,7 +103,9 @@ bool explains(const ThinnedScene& reference, const Eigen::Vector3f& p, const Nov
 }
 
 RoomPair room_pair(const Scene& reference, const Scene& current, const NovelParams& params) {
-  ThinnedScene before = thinned(reference, params), now = thinned(current, params);
+  auto in_parallel = std::async(std::launch::async, [&] { return thinned(reference, params); });
+  ThinnedScene now = thinned(current, params);
+  ThinnedScene before = in_parallel.get();
   Drift drift(before, now, 2.0 * params.plane_alignment_m);
   RoomPair pair{std::move(before), std::move(now), {}, std::move(drift), {}, {{}, 1.0F}, {}, {}, nullptr, nullptr};
   if (reference.space) pair.reference_space = &*reference.space;
