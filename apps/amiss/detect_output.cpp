@@ -35,7 +35,9 @@ ordered_json json_of(const change::Decision& d) {
           {"left_over", rounded(d.left_over)},
           {"colour_distance", rounded(d.colour_distance)},
           {"unseen", rounded(d.unseen)},
-          {"depth_m", rounded(d.depth_m)}};
+          {"depth_m", rounded(d.depth_m)},
+          {"continued", rounded(d.continued)},
+          {"nudged", rounded(d.nudged)}};
 }
 
 }  // namespace

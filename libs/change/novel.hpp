@@ -41,12 +41,27 @@ struct NovelParams {
   double max_taken = 0.5;             // of a fit's counterpart that is still where it was
   double max_left_over = 0.5;         // of a fit's counterpart that would have moved into empty space
   double max_colour_distance = 90.0;  // of a fit, median, Euclidean in RGB of 0..255
-  double max_unseen = 0.5;            // of a candidate where the reference did not look
-  double min_depth_m = 0.028;         // by which a part of something at rest differs from the reference
+  double max_unseen = 0.7;            // of a candidate where the reference did not look
+  double min_depth_m = 0.018;         // by which a part of something at rest differs from the reference
+  double continuation_m = 0.1;        // how far a surface of the reference may be continued where it was not seen
+  double max_continued = 0.4;         // of a part that continues a surface
+  double nudge_m = 0.03;              // beside an edge of the reference
+  double max_nudged = 0.4;            // of a part that stands so near beside an edge
 };
 void describe(ParamTable& table, NovelParams& p);
 
-enum class Verdict { kNovel, kAtRest, kMovedALittle, kUnseen, kShallow, kTooSmall, kTooLarge, kNotVerified };
+enum class Verdict {
+  kNovel,
+  kAtRest,
+  kMovedALittle,
+  kUnseen,
+  kShallow,
+  kContinued,
+  kNudged,
+  kTooSmall,
+  kTooLarge,
+  kNotVerified
+};
 [[nodiscard]] std::string_view name_of(Verdict verdict);
 
 /// What was decided about one candidate, and why.
@@ -60,8 +75,8 @@ struct Decision {
   double overlap_at_rest = 0.0;            // share of its cluster within d of the reference
   double overlap_moved = 0.0;              // the same after the best fit
   double moved_m = 0.0, turned_rad = 0.0;  // that fit
-  double taken = 0.0, left_over = 0.0, colour_distance = 0.0, unseen = 0.0,
-         depth_m = 0.0;  // beside the limits in NovelParams
+  double taken = 0.0, left_over = 0.0, colour_distance = 0.0, unseen = 0.0, depth_m = 0.0, continued = 0.0,
+         nudged = 0.0;  // beside the limits in NovelParams
 };
 
 struct NovelObject {

@@ -29,6 +29,13 @@ void describe(ParamTable& table, NovelParams& p) {
                "share of a candidate that may lie where the reference did not look");
   table.number("detect.min_depth", p.min_depth_m, "m", 0.0, 0.5,
                "upper quartile of the distances from the reference of a part of something that is at rest");
+  table.number("detect.continuation", p.continuation_m, "m", 0.0, 0.5,
+               "how far a surface of the reference may go on where the reference saw no empty space");
+  table.number("detect.max_continued", p.max_continued, "1", 0.0, 1.0,
+               "share of a part that may be such a continuation");
+  table.number("detect.nudge", p.nudge_m, "m", 0.0, 0.2,
+               "how far furniture is nudged: what is so near beside the reference, at its height, is its edge");
+  table.number("detect.max_nudged", p.max_nudged, "1", 0.0, 1.0, "share of a part that may be such an edge");
 }
 
 std::string_view name_of(Verdict verdict) {
@@ -43,6 +50,10 @@ std::string_view name_of(Verdict verdict) {
       return "reference did not look";
     case Verdict::kShallow:
       return "too near to the reference";
+    case Verdict::kContinued:
+      return "continues a surface";
+    case Verdict::kNudged:
+      return "edge of something nudged";
     case Verdict::kTooSmall:
       return "too small";
     case Verdict::kTooLarge:

@@ -6,6 +6,7 @@
 
 #include "change/internal/counterpart.hpp"
 #include "change/internal/object_fit.hpp"
+#include "change/internal/surroundings.hpp"
 
 namespace amiss::change::internal {
 
@@ -111,12 +112,18 @@ void decide_part(const RoomPair& pair, const Candidate& part, double overlap_at_
   decision.overlap_at_rest = overlap_at_rest;
   decision.unseen = unseen_share(pair, part.points);
   decision.depth_m = depth_of(pair, part.points, static_cast<float>(params.current_margin_m));
+  decision.continued = continued_share(pair, part.points, params);
+  decision.nudged = nudged_share(pair, part.points, params);
   if (decision.points < params.min_points) {
     decision.verdict = Verdict::kTooSmall;
   } else if (decision.unseen > params.max_unseen) {
     decision.verdict = Verdict::kUnseen;
   } else if (overlap_at_rest >= params.max_overlap && decision.depth_m < params.min_depth_m) {
     decision.verdict = Verdict::kShallow;
+  } else if (decision.continued > params.max_continued) {
+    decision.verdict = Verdict::kContinued;
+  } else if (decision.nudged > params.max_nudged) {
+    decision.verdict = Verdict::kNudged;
   } else if (width_of(decision) > params.max_size_m) {
     decision.verdict = Verdict::kTooLarge;
   } else if (const auto fit = moved_a_little(pair, part.points, decision, params)) {
