@@ -1,6 +1,7 @@
 #include "dataset_record.hpp"
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/files.hpp"
 #include "dataset_recorder.hpp"
@@ -25,10 +26,18 @@ std::vector<dataset::Instance> instance_table(const DatasetRoom& room, const sim
     const auto placed = std::find_if(content.objects.begin(), content.objects.end(),
                                      [&](const sim::ScatteredObject& o) { return o.name == object.name; });
     if (placed == content.objects.end()) continue;
-    table.push_back({object.instance, object.name, placed->kind, SemanticClass::kOtherProp,
-                     object.bounds.min().z() < kOnFloor_m});
+    table.push_back(
+        {object.instance, object.name, placed->kind, SemanticClass::kOtherProp, object.bounds.min().z() < kOnFloor_m});
   }
   return table;
+}
+
+/// "base_link and chair_1", each pair once.
+std::set<std::string> collided_with(const sim::Simulator& simulator) {
+  std::set<std::string> pairs;
+  for (const world::Collision& collision : simulator.collisions())
+    pairs.insert(collision.link + " and " + collision.body);
+  return pairs;
 }
 
 std::string report_json(const VisitToRecord& visit, const mission::TourReport& tour, const DatasetRecorder& recorder,
@@ -47,6 +56,7 @@ std::string report_json(const VisitToRecord& visit, const mission::TourReport& t
       {"distance_m", tour.distance_m},
       {"simulated_s", seconds(tour.ended)},
       {"collisions", simulator.collisions().size()},
+      {"collided_with", collided_with(simulator)},
       {"localization", {{"rmse_m", error.rmse_m}, {"rmse_rad", error.rmse_rad}, {"max_m", error.max_m}}}};
   return json.dump(2) + "\n";
 }

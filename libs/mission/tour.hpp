@@ -13,8 +13,8 @@
 namespace amiss::mission {
 
 struct TourParams {
-  double tolerance_m = 0.25;  // a waypoint may be moved by this to where the robot can stand
-  double pan_rad = radians(50.0);        // of the head to both sides
+  double tolerance_m = 0.5;        // a waypoint may be moved by this to where the robot can stand: things may lie on it
+  double pan_rad = radians(50.0);  // of the head to both sides
   double low_tilt_rad = -radians(48.0);  // a sweep to the left low, back over the right and over the left high
   double high_tilt_rad = -radians(22.0);
   double head_rate_rad_s = 0.5;  // slower than the head can, so that frames overlap
