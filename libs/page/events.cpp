@@ -96,12 +96,10 @@ std::string base64(std::string_view bytes) {
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
       group = group << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (unsigned k = 0; k < 4; ++k) {
+    for (unsigned k = 0; k < 4; ++k)
       text += i + k <= bytes.size() ? kDigits[(group >> (18 - 6 * k)) & 63U] : '=';
-    }
   }
   return text;
 }
@@ -109,13 +107,12 @@ std::string base64(std::string_view bytes) {
 std::string voxels_text(std::span<const mapping::Voxel> voxels) {
   std::string bytes;
   bytes.reserve(voxels.size() * 6);
-  for (const mapping::Voxel& v : voxels) {
+  for (const mapping::Voxel& v : voxels)
     for (const int index : {v.x, v.y, v.z}) {
       const auto value = static_cast<unsigned>(index);
       bytes += static_cast<char>(value & 255U);
       bytes += static_cast<char>(value >> 8U & 255U);
     }
-  }
   return base64(bytes);
 }
 
@@ -272,9 +269,8 @@ std::string objects_line(Stamp stamp, const std::vector<PlacedObject>& objects) 
 
 std::string bodies_line(Stamp stamp, const std::vector<MovableBody>& bodies, const std::vector<std::string>& gone) {
   Json list = Json::array();
-  for (const MovableBody& b : bodies) {
+  for (const MovableBody& b : bodies)
     list.push_back({{"name", b.name}, {"kind", b.kind}, {"pose", pose(b.T_map_body.T)}});
-  }
   Json json = event("bodies", stamp);
   json["list"] = std::move(list);
   json["gone"] = gone;

@@ -1,8 +1,8 @@
 // Writes down what a run does while it does it: Sinks -> timeline.jsonl (one event a line, see events.hpp) and
 // camera.bin (JPEG pictures one after the other) in the run folder, and the same lines into a History for pages that
-// watch. Poses and what moved five times and pictures once in a simulated second, everything else when it changes. The same run writes
-// the same bytes, watched or not, but for the report in its last line. A run that is killed leaves all but what the
-// operating system had not written. std::runtime_error where the folder cannot be written.
+// watch. Poses and what moved five times and pictures once in a simulated second, everything else when it changes. The
+// same run writes the same bytes, watched or not, but for the report in its last line. A run that is killed leaves all
+// but what the operating system had not written. std::runtime_error where the folder cannot be written.
 #pragma once
 
 #include <fstream>
@@ -21,7 +21,7 @@ namespace amiss::page {
 struct Onlooker {
   std::function<Pose2<Map, Base>()> true_pose;
   std::function<std::vector<PlacedObject>()> objects;
-  std::function<std::vector<Touch>()> collisions;  // all so far
+  std::function<std::vector<Touch>()> collisions;    // all so far
   std::function<std::vector<MovableBody>()> bodies;  // all that are there
   std::function<const knowledge::Knowledge&()> knowledge;
   std::function<const mapping::VoxelMap&()> voxels;
