@@ -137,8 +137,8 @@ int run_files(const Arguments& a) {
   }
   if (!a.out.empty()) fs::create_directories(a.out);
   const std::vector<JobResult> results = run_jobs(a, jobs, [](std::size_t, JobResult&) {});
-  const auto good =
-      std::count_if(results.begin(), results.end(), [](const JobResult& r) { return r.finished && r.exit_status == 0; });
+  const auto good = std::count_if(results.begin(), results.end(),
+                                  [](const JobResult& r) { return r.finished && r.exit_status == 0; });
   if (!a.quiet) std::cout << good << " of " << results.size() << " as expected\n";
   if (!a.junit.empty()) save_atomically(a.junit, report::to_junit("scenarios", junit_of(results)));
   return status_of(results);

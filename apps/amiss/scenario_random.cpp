@@ -21,9 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kCell_m = 0.05;
-constexpr double kRoom_m = 0.4;   // round a robot that is put down
-constexpr int kEvery = 4;         // cells between two places
-constexpr double kApart_m = 0.7;  // from an object to a robot that is put down
+constexpr double kRoom_m = 0.4;       // round a robot that is put down
+constexpr int kEvery = 4;             // cells between two places
+constexpr double kApart_m = 0.7;      // from an object to a robot that is put down
+constexpr double kDoorApart_m = 1.2;  // from the middle of a frame to the start
 
 /// Places that are connected with the start.
 std::vector<Eigen::Vector2d> standing_places(const world::World& world, const robot::Model& model,
@@ -55,6 +56,22 @@ std::vector<Eigen::Vector2d> apart_from(const std::vector<world::AddBody>& objec
   return places;
 }
 
+/// By their names: door_leaf_N belongs into door_frame_N.
+void add_what_moves(const world::World& world, scenario::Stage& stage) {
+  const auto apart = [&](const world::Body& body, double least_m) {
+    return (body.pose.T.translation().head<2>() - stage.start_m).norm() >= least_m;
+  };
+  const std::string leaf = "door_leaf", frame = "door_frame";
+  for (const world::Body& body : world.bodies) {
+    if (body.name.rfind("chair", 0) == 0 && apart(body, kApart_m)) stage.chairs.push_back(body.name);
+    if (body.name.rfind(leaf, 0) != 0) continue;
+    const std::string wanted = frame + body.name.substr(leaf.size());
+    for (const world::Body& other : world.bodies) {
+      if (other.name == wanted && apart(other, kDoorApart_m)) stage.doors.push_back({body.name, other.name});
+    }
+  }
+}
+
 std::vector<world::AddBody> on_the_floor(const std::vector<sim::ScatteredObject>& scattered) {
   std::vector<world::AddBody> bodies;
   for (const sim::ScatteredObject& object : scattered) {
@@ -76,7 +93,8 @@ std::vector<scenario::Scenario> random_scenarios(const RandomScenarios& wanted) 
   const Pose2<World, Base> start = start_pose(world, model, {});
   const world::Catalogue catalogue = world::load_catalogue({resources.objects}, settings.world);
   const std::vector<Eigen::Vector2d> places = standing_places(world, model, start);
-  scenario::Stage stage{fs::exists(wanted.world) ? file.string() : wanted.world, {}, {}, start.position()};
+  scenario::Stage stage{fs::exists(wanted.world) ? file.string() : wanted.world, {}, {}, start.position(), {}, {}};
+  add_what_moves(world, stage);
 
   std::vector<scenario::Scenario> scenarios;
   for (int number = 1; number <= wanted.count; ++number) {

@@ -51,6 +51,7 @@ bool ends_the_search(const world::Change& change) {
 
 /// Where the robot cannot be that soon: it drives 0.3 m/s at most.
 constexpr double kFirst_s = 2.0, kSoon_s = 4.0, kFar_m = 2.0;
+constexpr double kDropped_m = 0.3, kWalk_m = 0.5;
 
 class Draw {
  public:
@@ -77,7 +78,8 @@ class Draw {
     scenario_.expect.end = {"explored"};
     if (misled_) scenario_.expect.end = {"explored", "lost", "sensor_lost"};
     if (hopeless_) scenario_.expect.end = {"lost", "sensor_lost"};
-    if (!misled_) scenario_.expect.found = there_;
+    if (altered_) scenario_.expect.end.emplace_back("gave_up");
+    if (!misled_ && !altered_) scenario_.expect.found = there_;
     return scenario_;
   }
 
@@ -85,8 +87,7 @@ class Draw {
   void disturb(bool first) {
     world::Event event;
     event.change = change(first);
-    const bool appears = std::holds_alternative<world::AddBody>(event.change);
-    moment_s_ = first ? tenth(random_.uniform(kFirst_s, appears ? kSoon_s : 10.0))
+    moment_s_ = first ? tenth(random_.uniform(kFirst_s, soon_ ? kSoon_s : 10.0))
                       : tenth(moment_s_ + random_.uniform(0.5, 10.0));
     event.moment.after_s = moment_s_;
     misled_ = misled_ || std::holds_alternative<world::Fault>(event.change) ||
@@ -102,13 +103,10 @@ class Draw {
       return world::Kidnap{{to.x(), to.y(), degrees_by_chance(random_)}};
     }
     if (what == 7) return jump_by_chance(random_);
-    if (what == 8 && first) {
-      const auto far = std::find_if(stage_.objects.begin() + static_cast<std::ptrdiff_t>(used_), stage_.objects.end(),
-                                    [&](const world::AddBody& o) {
-                                      return std::hypot(o.place.x_m - stage_.start_m.x(),
-                                                        o.place.y_m - stage_.start_m.y()) >= kFar_m;
-                                    });
-      if (far != stage_.objects.end()) return *far;
+    if (what >= 8 && first) {
+      const auto changed = what == 8 ? object_change() : room_change();
+      soon_ = changed.has_value();
+      if (changed) return *changed;
     }
     if (what >= 8 && !there_.empty()) {
       const std::string gone = there_.back();
@@ -118,6 +116,53 @@ class Draw {
     return fault_by_chance(random_);
   }
 
+  /// An object that appears, is dropped or moved; nothing where it is to be taken away, or has no place.
+  std::optional<world::Change> object_change() {
+    const std::uint64_t how = random_.below(4);
+    if (how == 0) return std::nullopt;
+    if (how == 1) {
+      const auto to = far_place();
+      if (!to) return std::nullopt;
+      const std::string moved = there_.back();
+      there_.pop_back();
+      return world::MoveBody{moved, {to->x(), to->y(), {}, degrees_by_chance(random_)}};
+    }
+    const auto far = std::find_if(stage_.objects.begin() + static_cast<std::ptrdiff_t>(used_), stage_.objects.end(),
+                                  [&](const world::AddBody& o) {
+                                    return is_far({o.place.x_m, o.place.y_m});
+                                  });
+    if (far == stage_.objects.end()) return std::nullopt;
+    world::AddBody added = *far;
+    if (how == 2) added.place.z_m = kDropped_m;
+    return added;
+  }
+
+  std::optional<world::Change> room_change() {
+    const std::uint64_t how = random_.below(4);
+    const auto to = far_place(), from = far_place();
+    const double yaw_rad = degrees_by_chance(random_);
+    if (how == 0 && stage_.doors.empty()) return std::nullopt;
+    if (how == 1 && stage_.chairs.empty()) return std::nullopt;
+    if (how != 0 && (!to || !from || (how == 2 && (*to - *from).norm() < kWalk_m))) return std::nullopt;
+    altered_ = true;
+    if (how == 0) return stage_.doors[random_.below(stage_.doors.size())];
+    if (how == 1)
+      return world::MoveBody{stage_.chairs[random_.below(stage_.chairs.size())], {to->x(), to->y(), {}, yaw_rad}};
+    if (how == 2) return world::Walk{"somebody", {*from, *to}, tenth(random_.uniform(0.4, 1.0))};
+    return world::AddBody{kObstacle, kObstacle, {to->x(), to->y(), {}, yaw_rad}};
+  }
+
+  [[nodiscard]] bool is_far(const Eigen::Vector2d& place_m) const {
+    return (place_m - stage_.start_m).norm() >= kFar_m;
+  }
+  std::optional<Eigen::Vector2d> far_place() {
+    std::vector<Eigen::Vector2d> places;
+    std::copy_if(stage_.standing_m.begin(), stage_.standing_m.end(), std::back_inserter(places),
+                 [this](const Eigen::Vector2d& p) { return is_far(p); });
+    if (places.empty()) return std::nullopt;
+    return places[random_.below(places.size())];
+  }
+
   const Stage& stage_;
   RandomStream random_;
   Scenario scenario_;
@@ -125,6 +170,8 @@ class Draw {
   std::size_t used_ = 0;
   double moment_s_ = 0.0;
   bool misled_ = false, hopeless_ = false;
+  bool altered_ = false;  // the room, so that not all may be reached
+  bool soon_ = false;     // while the robot is at the start
 };
 
 }  // namespace
