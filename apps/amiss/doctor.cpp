@@ -132,6 +132,12 @@ Finding slurm() {
   return {State::kGood, "Slurm", *sbatch + ", " + *nodes};
 }
 
+Finding ffmpeg() {
+  const auto version = output_of("ffmpeg -version | head -n 1 | cut -d ' ' -f 1-3");
+  if (!version || version->empty()) return {State::kAbsent, "ffmpeg", "not installed: amiss video cannot make films"};
+  return {State::kGood, "ffmpeg", *version};
+}
+
 int run() {
   const std::vector<Finding> findings{
       {State::kGood, "amiss", AMISS_VERSION ", " + fs::read_symlink("/proc/self/exe").string()},
@@ -141,6 +147,7 @@ int run() {
       examined("cache", [] { return place("cache", cache_folder()); }),
       examined("OSMesa", renderer),
       libraries(),
+      ffmpeg(),
       slurm()};
   bool good = true;
   for (const Finding& f : findings) {

@@ -1,4 +1,6 @@
 // Pages of a run that goes on and of one that is over, asked as a browser asks, and by clients that are rude.
+#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -43,6 +45,24 @@ void be_rude(int port) {
   EXPECT_EQ(test::SocketClient(port, "Origin: http://evil.example\r\n").status(), 403);
 }
 
+/// A film needs the run folder and the world that it names, nothing else.
+void expect_film(const std::filesystem::path& folder, const std::string& run) {
+  const Ended made =
+      test::run({"video", run, "--out", "film.mp4", "--speed", "20", "--fps", "5", "--width", "320"}, folder);
+  if (std::system("command -v ffmpeg >/dev/null && command -v ffprobe >/dev/null") != 0) {
+    EXPECT_NE(made.status, 0);
+    EXPECT_NE(made.err.find("ffmpeg"), std::string::npos) << made.err;
+    return;
+  }
+  ASSERT_EQ(made.status, 0) << made.err;
+  const std::string probe = "ffprobe -v error -show_entries stream=width,height,duration -of csv=p=0 '" +
+                            (folder / "film.mp4").string() + "' > '" + (folder / "probed").string() + "'";
+  ASSERT_EQ(std::system(probe.c_str()), 0);
+  std::string probed;
+  std::getline(std::ifstream(folder / "probed"), probed);
+  EXPECT_EQ(probed, "320,180,1.200000") << "20 s and both ends, 20 times as fast";
+}
+
 TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
   const test::TemporaryFolder folder;
   const Ended alone = test::run(with(kRun, {"--out", "alone"}), folder.path());
@@ -83,6 +103,7 @@ TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
   EXPECT_EQ(test::get(again, "/knowledge.sqlite").status, 404);
   view.send(SIGINT);
   EXPECT_EQ(view.wait().status, 0);
+  expect_film(folder.path(), "alone");
 }
 
 TEST(Watch, RefusesWhatItCannotShow) {
@@ -90,6 +111,9 @@ TEST(Watch, RefusesWhatItCannotShow) {
   const Ended missing = test::run({"view", "nowhere"}, folder.path());
   EXPECT_EQ(missing.status, 3);
   EXPECT_NE(missing.err.find("timeline.jsonl: is not there"), std::string::npos);
+  const Ended film = test::run({"video", "nowhere", "--out", "film.mp4"}, folder.path());
+  EXPECT_EQ(film.status, 3);
+  EXPECT_NE(film.err.find("timeline.jsonl: is not there"), std::string::npos);
   folder.write("timeline.jsonl", "{\"e\":\"start\",\"t\":0,\"schema\":1}\n");
   const Ended open = test::run({"view", ".", "--address", "0.0.0.0"}, folder.path());
   EXPECT_EQ(open.status, 2);
