@@ -15,9 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Its depth camera leaves crumbs of up to 26 points at edges, more than Table 5.1's obj_min of 15.
-constexpr int kMinPoints = 30;
-
 fs::path kitchen() { return mapping::test_data() / "rgbd_redkitchen"; }
 
 Scene reconstructed(const std::string& visit) {
@@ -42,13 +39,11 @@ Eigen::Vector3d vector_of(const nlohmann::json& json) {
 
 TEST(Kitchen, NothingIsNewWhereNothingChangedAndSixObjectsAreFound) {
   if (!fs::exists(kitchen())) GTEST_SKIP() << "rgbd_redkitchen is not there";
-  NovelParams params;
-  params.min_points = kMinPoints;
   const Scene reference = reconstructed("reference");
-  EXPECT_TRUE(detect_novel(reference, reconstructed("nochange"), "local-verification", params).objects.empty());
+  EXPECT_TRUE(detect_novel(reference, reconstructed("nochange"), "local-verification").objects.empty());
 
   const auto truth = nlohmann::json::parse(std::ifstream(kitchen() / "ground_truth_dev.json"))["visits"]["dev_visit1"];
-  const Detection found = detect_novel(reference, reconstructed("dev_visit1"), "local-verification", params);
+  const Detection found = detect_novel(reference, reconstructed("dev_visit1"), "local-verification");
   ASSERT_EQ(truth["objects"].size(), 6U);
   std::vector<bool> right(found.objects.size(), false);
   for (const auto& object : truth["objects"]) {
