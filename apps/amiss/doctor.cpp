@@ -133,9 +133,9 @@ Finding slurm() {
 }
 
 Finding ffmpeg() {
-  const auto version = output_of("ffmpeg -version | head -n 1 | cut -d ' ' -f 1-3");
-  if (!version || version->empty()) return {State::kAbsent, "ffmpeg", "not installed: amiss video cannot make films"};
-  return {State::kGood, "ffmpeg", *version};
+  const auto version = output_of("ffmpeg -version");
+  if (!version) return {State::kAbsent, "ffmpeg", "not installed: amiss video cannot make films"};
+  return {State::kGood, "ffmpeg", version->substr(0, version->find(" Copyright"))};
 }
 
 int run() {
