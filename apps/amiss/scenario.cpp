@@ -17,6 +17,7 @@
 #include "scenario_jobs.hpp"
 #include "scenario_random.hpp"
 #include "scenario_run.hpp"
+#include "scenario_view.hpp"
 
 namespace amiss::app {
 
@@ -34,6 +35,7 @@ struct Arguments {
   bool prove = false, quiet = false;
   RandomScenarios random;
   bool write_only = false;
+  ViewOptions view;
   int child = -2;  // which break a child runs; -1 none
 };
 
@@ -190,8 +192,16 @@ int run_random(Arguments a) {
   return status_of(results);
 }
 
+int run_watched(const Arguments& a) {
+  if (a.files.size() != 1 || fs::is_directory(a.files.front()) || a.prove || a.random.count > 0 || !a.junit.empty()) {
+    throw ArgumentError("--view shows one run: one scenario file, without --prove, --junit and --random");
+  }
+  return view_scenario(a.files.front(), a.out, a.view, a.quiet);
+}
+
 int run_parent(const Arguments& a) {
   catch_interrupts();
+  if (a.view.wanted) return run_watched(a);
   if (a.random.count > 0 && !a.files.empty()) throw ArgumentError("--random and files exclude each other");
   if (a.random.count > 0 && a.prove) throw ArgumentError("--random and --prove exclude each other");
   if (a.random.count > 0) return run_random(a);
@@ -210,7 +220,10 @@ void add_scenario_command(CLI::App& app, int& exit_status) {
   command->add_option("-j,--jobs", a->parallel, "runs at the same time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command->add_option("--out", a->out, "keep a log and a floor plan of each run in this folder")->type_name("DIR");
+  command
+      ->add_option("--out", a->out,
+                   "keep a log and a floor plan of each run in this folder; with --view, the run folder")
+      ->type_name("DIR");
   CLI::Option* random =
       command->add_option("--random", a->random.count, "so many scenarios by chance; those that fail are kept in --out")
           ->check(CLI::Range(1, 100000));
@@ -221,6 +234,7 @@ void add_scenario_command(CLI::App& app, int& exit_status) {
       ->needs(random)
       ->capture_default_str();
   command->add_flag("--write-only", a->write_only, "of --random: write the files and run none")->needs(random);
+  add_view_options(*command, a->view, true);
   command->add_flag("--quiet", a->quiet, "the exit status alone");
   command->add_option("--child", a->child)->group("");  // what runs one scenario for the others
   command->callback([a, &exit_status] { exit_status = a->child >= -1 ? run_child(*a) : run_parent(*a); });

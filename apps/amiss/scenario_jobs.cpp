@@ -7,7 +7,6 @@
 
 #include "commands.hpp"
 #include "core/files.hpp"
-#include "scenario_run.hpp"
 
 namespace amiss::app {
 
@@ -66,11 +65,7 @@ std::vector<ScenarioJob> jobs_of(const scenario::Scenario& scenario, bool prove)
   return jobs;
 }
 
-std::string run_job(const scenario::Scenario& scenario, int break_index, bool threaded, const fs::path& keep) {
-  const bool as_it_is = break_index < 0;
-  const ScenarioOutcome outcome = run_scenario(
-      as_it_is ? scenario : scenario::broken(scenario, scenario.breaks.at(static_cast<std::size_t>(break_index))),
-      threaded);
+std::string to_text(const ScenarioOutcome& outcome) {
   Json json;
   json["simulated_s"] = outcome.simulated_s;
   json["findings"] = Json::array();
@@ -78,11 +73,19 @@ std::string run_job(const scenario::Scenario& scenario, int break_index, bool th
     json["findings"].push_back({{"what", f.what}, {"holds", f.holds}, {"sentence", f.sentence}});
   }
   json["log"] = outcome.log;
+  return json.dump(1) + "\n";
+}
+
+std::string run_job(const scenario::Scenario& scenario, int break_index, bool threaded, const fs::path& keep) {
+  const bool as_it_is = break_index < 0;
+  const ScenarioOutcome outcome = run_scenario(
+      as_it_is ? scenario : scenario::broken(scenario, scenario.breaks.at(static_cast<std::size_t>(break_index))),
+      threaded);
   if (!keep.empty()) {
     save_atomically(keep.string() + ".log", outcome.log);
     save_atomically(keep.string() + ".png", outcome.picture_png);
   }
-  return json.dump(1) + "\n";
+  return to_text(outcome);
 }
 
 JobResult judge_job(const ScenarioJob& job, const experiment::Ended& child) {

@@ -9,6 +9,7 @@
 #include "experiment/process.hpp"
 #include "report/junit.hpp"
 #include "scenario/scenario.hpp"
+#include "scenario_run.hpp"
 
 namespace amiss::app {
 
@@ -32,6 +33,8 @@ struct JobResult {
   double simulated_s = 0.0, wall_s = 0.0;
 };
 
+/// What a child prints of its run.
+[[nodiscard]] std::string to_text(const ScenarioOutcome& outcome);
 /// In this process; what a child prints on standard output. `keep`: where a log and a floor plan go, as KEEP.log and
 /// KEEP.png; nowhere when empty.
 [[nodiscard]] std::string run_job(const scenario::Scenario& scenario, int break_index, bool threaded,

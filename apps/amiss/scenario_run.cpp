@@ -5,6 +5,7 @@
 #include "core/result.hpp"
 #include "interrupt.hpp"
 #include "reference_cache.hpp"
+#include "run_page.hpp"
 #include "scenario_watch.hpp"
 #include "start_pose.hpp"
 
@@ -54,10 +55,27 @@ PreparedReference reference_of(const world::World& world, const robot::Model& mo
   return std::move(*prepared);
 }
 
-score::Referee make_referee(const PreparedReference& prepared, const Settings& settings) {
+/// z = 0 of the robot's map lies a little above the floor.
+Transform<World, Map> lifted(const PreparedReference& prepared, const Settings& settings) {
   Transform<World, Map> T_world_map = prepared.T_world_map.lift();
   T_world_map.T.translate(Eigen::Vector3d(0.0, 0.0, settings.mission.perception.floor_clearance_m));
-  return {{}, T_world_map, settings.referee};
+  return T_world_map;
+}
+
+page::Beginning beginning_of(const scenario::Scenario& scenario, const PreparedReference& prepared,
+                             const robot::Model& model, const score::RefereeParams& referee,
+                             const Transform<World, Map>& T_world_map) {
+  return {AMISS_VERSION,
+          scenario.name,
+          "dynamic",
+          scenario.seed,
+          &prepared.reference.floor,
+          &prepared.reference.mapped,
+          &model,
+          referee.max_error_m,
+          referee.min_cover,
+          referee.min_purity,
+          {scenario.world, "", T_world_map}};
 }
 
 }  // namespace
@@ -73,7 +91,7 @@ scenario::Vocabulary vocabulary_of(const Resources& resources) {
   return words;
 }
 
-ScenarioOutcome run_scenario(const scenario::Scenario& scenario, bool threaded) {
+ScenarioOutcome run_scenario(const scenario::Scenario& scenario, bool threaded, const ScenarioShow* show) {
   const Resources resources = find_resources();
   Settings settings = load_settings("", {});
   apply(settings, scenario.reference_params);
@@ -84,6 +102,7 @@ ScenarioOutcome run_scenario(const scenario::Scenario& scenario, bool threaded) 
 
   apply(settings, scenario.params);
   settings.mission.perception.time_limit_s = scenario.time_limit_s;
+  if (show != nullptr) show->folder.save("params.yaml", settings.table().to_yaml());
   auto bodies = load_bodies(resources, scenario.script, settings.world);
   const std::vector<world::Body> movable = sim::unfix(world, scenario.script);
   Worker worker(threaded);
@@ -91,17 +110,25 @@ ScenarioOutcome run_scenario(const scenario::Scenario& scenario, bool threaded) 
   for (const world::Body& body : movable) simulator.add_object(body, body.pose, body.name);
   sim::ScriptedRobot robot(simulator, scenario.script, std::move(bodies), scenario.seed);
 
-  score::Referee referee = make_referee(prepared, settings);
+  score::Referee referee({}, lifted(prepared, settings), settings.referee);
   knowledge::KnowledgeBase knowledge(settings.mission.knowledge);
   const plan::Domain domain = plan::load_domain(resources.pddl / "search.pddl");
   ScenarioWatch watch(scenario, simulator, robot, referee, knowledge, prepared.T_world_map);
-  const mission::Sinks sinks = watch.sinks();
+  mission::Sinks sinks = watch.sinks();
+  if (show != nullptr) show->page.attach(sinks);
   mission::Search search(robot, prepared.reference, knowledge, domain, settings.mission, scenario.seed,
                          scenario.until_found, sinks);
+  if (show != nullptr) {
+    show->page.begin(beginning_of(scenario, prepared, model, settings.referee, lifted(prepared, settings)),
+                     {simulator, referee, lifted(prepared, settings), knowledge, &robot},
+                     [&]() -> const mapping::VoxelMap& { return search.voxels(); });
+  }
   const mission::SearchReport result = search.run();
+  if (show != nullptr) show->page.settle();
 
   ScenarioOutcome outcome;
-  outcome.findings = score::judge(scenario.expect, watch.record(result));
+  outcome.record = watch.record(result);
+  outcome.findings = score::judge(scenario.expect, outcome.record);
   outcome.simulated_s = seconds(result.ended);
   outcome.log = watch.log();
   outcome.picture_png = report::to_png(watch.floor_plan(prepared.reference.floor, search.seen_floor()));

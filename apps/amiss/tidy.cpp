@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "core/result.hpp"
-#include "tidy_page.hpp"
+#include "run_page.hpp"
 #include "tidy_run.hpp"
 
 namespace amiss::app {

@@ -19,9 +19,9 @@
 #include "report/run_folder.hpp"
 #include "report/search_times.hpp"
 #include "resources.hpp"
+#include "run_page.hpp"
 #include "start_pose.hpp"
 #include "tidy_observer.hpp"
-#include "tidy_page.hpp"
 #include "tidy_recording.hpp"
 #include "world/catalogue.hpp"
 
@@ -181,7 +181,7 @@ struct Stage {
   sim::Simulator& simulator;
   score::Referee& referee;
   const report::RunFolder& folder;
-  TidyPage& page;
+  RunPage& page;
   TidyRecording& recording;
 };
 
@@ -219,11 +219,10 @@ std::string search(const TidyOptions& options, const Settings& settings, const S
   knowledge::KnowledgeBase knowledge(folder.path() / "knowledge.sqlite", settings.mission.knowledge);
   const auto search = make_search(options, settings, stage, domain, knowledge, sinks);
   const auto voxels = [&]() -> const mapping::VoxelMap& { return search->voxels(); };
-  page.begin(
-      {report.version, report.world, report.method, report.seed, &prepared.reference.floor, &prepared.reference.mapped,
-       &scene.model, settings.referee.max_error_m, settings.referee.min_cover, settings.referee.min_purity,
-       place_of(options, settings, scene, prepared)},
-      {simulator, referee, lifted(prepared.T_world_map, settings), knowledge}, voxels);
+  page.begin({report.version, report.world, report.method, report.seed, &prepared.reference.floor,
+              &prepared.reference.mapped, &scene.model, settings.referee.max_error_m, settings.referee.min_cover,
+              settings.referee.min_purity, place_of(options, settings, scene, prepared)},
+             {simulator, referee, lifted(prepared.T_world_map, settings), knowledge}, voxels);
   recording.attach(sinks, knowledge, voxels);
   const mission::SearchReport result = search->run();
   page.settle();
@@ -260,7 +259,7 @@ TidyOutcome run_tidy(const TidyOptions& options, Settings settings) {
   settings.mission.perception.threaded = options.threads > 1;
 
   TidyOutcome outcome;
-  outcome.page = std::make_shared<TidyPage>(folder, options.view, options.threads > 1);
+  outcome.page = std::make_shared<RunPage>(folder, options.view, options.threads > 1);
   outcome.folder = folder.path().string();
   outcome.report.version = AMISS_VERSION;
   outcome.report.world = name;

@@ -32,14 +32,14 @@ struct TidyOptions {
   std::string record;  // mcap, rawlog, both: recordings in the run folder
 };
 
-class TidyPage;
+class RunPage;
 
 struct TidyOutcome {
   report::TidyReport report;
   std::string json;
   std::string folder;
   int exit_status = 0;
-  std::shared_ptr<TidyPage> page;  // may be served on
+  std::shared_ptr<RunPage> page;  // may be served on
 };
 
 [[nodiscard]] TidyOutcome run_tidy(const TidyOptions& options, Settings settings);

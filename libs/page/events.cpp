@@ -285,6 +285,12 @@ std::string collision_line(const Touch& touch) {
   return line(json);
 }
 
+std::string script_line(const Occurrence& occurrence) {
+  Json json = event("script", occurrence.stamp);
+  json["text"] = occurrence.text;
+  return line(json);
+}
+
 std::string log_line(Stamp stamp, std::string_view text) {
   Json json = event("log", stamp);
   json["text"] = text;

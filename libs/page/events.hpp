@@ -60,6 +60,12 @@ struct Touch {
   Point<Map> place;
 };
 
+/// What a script did to the world or to the robot.
+struct Occurrence {
+  Stamp stamp;
+  std::string text;
+};
+
 /// Bytes of a picture in camera.bin.
 struct Slice {
   std::size_t begin = 0, bytes = 0;
@@ -86,8 +92,9 @@ struct Slice {
 [[nodiscard]] std::string bodies_line(Stamp stamp, const std::vector<MovableBody>& bodies,
                                       const std::vector<std::string>& gone);
 [[nodiscard]] std::string collision_line(const Touch& touch);
+[[nodiscard]] std::string script_line(const Occurrence& occurrence);
 [[nodiscard]] std::string log_line(Stamp stamp, std::string_view text);
-/// `report_json`: report.json or report.partial.json.
+/// `report_json`: an object, as in report.json or report.partial.json.
 [[nodiscard]] std::string end_line(Stamp stamp, std::string_view report_json);
 
 }  // namespace amiss::page

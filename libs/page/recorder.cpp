@@ -80,6 +80,7 @@ void Recorder::settle() {
   write_objects();
   write_collisions();
   write_bodies();
+  write_script();
 }
 
 void Recorder::end(std::string_view report_json) {
@@ -111,6 +112,8 @@ void Recorder::on_step(const mission::StepEvent& event) {
   write(pose_line(event, onlooker_.true_pose()));
   write_collisions();
   write_bodies();
+  write_script();
+  write_objects();
   if (due(now_, next_voxels_, kVoxelPeriod)) write_voxels();
   timeline_.flush();
 }
@@ -213,6 +216,11 @@ void Recorder::write_bodies() {
   }
   told_bodies_ = std::move(now);
   if (!moved.empty() || !gone.empty()) write(bodies_line(now_, moved, gone));
+}
+
+void Recorder::write_script() {
+  const std::vector<Occurrence> occurrences = onlooker_.script();
+  for (; told_script_ < occurrences.size(); ++told_script_) write(script_line(occurrences[told_script_]));
 }
 
 }  // namespace amiss::page

@@ -21,8 +21,9 @@ namespace amiss::page {
 struct Onlooker {
   std::function<Pose2<Map, Base>()> true_pose;
   std::function<std::vector<PlacedObject>()> objects;
-  std::function<std::vector<Touch>()> collisions;    // all so far
-  std::function<std::vector<MovableBody>()> bodies;  // all that are there
+  std::function<std::vector<Touch>()> collisions;                                              // all so far
+  std::function<std::vector<MovableBody>()> bodies;                                            // all that are there
+  std::function<std::vector<Occurrence>()> script = [] { return std::vector<Occurrence>(); };  // all so far
   std::function<const knowledge::Knowledge&()> knowledge;
   std::function<const mapping::VoxelMap&()> voxels;
 };
@@ -64,6 +65,7 @@ class Recorder {
   void write_objects();
   void write_collisions();
   void write_bodies();
+  void write_script();
 
   History& history_;
   std::filesystem::path folder_;
@@ -77,7 +79,7 @@ class Recorder {
   change::Difference told_difference_;
   std::string told_regions_, told_views_;  // without their stamps
   std::vector<PlacedObject> told_objects_;
-  std::size_t told_collisions_ = 0;
+  std::size_t told_collisions_ = 0, told_script_ = 0;
   std::map<std::string, Eigen::Isometry3d> told_bodies_;  // by name
   Worker worker_;
 };

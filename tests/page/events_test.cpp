@@ -52,6 +52,8 @@ TEST(Events, LinesAreOneLineOfJson) {
 
   const std::string log = log_line(kNow, "two\nlines, \"quoted\" \xff <script>");
   EXPECT_EQ(log.find('\n'), std::string::npos);
+  EXPECT_EQ(script_line({kNow, "add mug"}),
+            R"({"e":"script","t":)" + json::parse(log)["t"].dump() + R"(,"text":"add mug"})");
   EXPECT_EQ(json::parse(log)["text"], "two\nlines, \"quoted\" \xef\xbf\xbd <script>");
 }
 

@@ -133,6 +133,22 @@ TEST_F(RecorderOf, TellsOfBodiesWhenTheyMoveOrGo) {
   EXPECT_EQ(bodies[2]["gone"], json({"ball"}));
 }
 
+TEST_F(RecorderOf, TellsWhatAScriptDidAndWhatItPutThere) {
+  run.during = [&](mission::Sinks&, int i) {
+    if (i != 60 && i != 100) return;
+    run.script.push_back({run.now, "add mug"});
+    run.objects.push_back({"mug_" + std::to_string(i), "mug", {{1.0, 2.0, 0.05}}, false, false, 0.0, 0.0, 0.0, 0.0});
+  };
+  const auto events = record(2.0);
+  const auto script = of_kind(events, "script"), objects = of_kind(events, "objects");
+  ASSERT_EQ(script.size(), 2U);
+  EXPECT_EQ(script[0]["t"], 1.2);
+  EXPECT_EQ(script[0]["text"], "add mug");
+  EXPECT_EQ(script[1]["t"], 2.0) << "the last one, too";
+  ASSERT_EQ(objects.size(), 3U);
+  EXPECT_EQ(objects[1]["list"].size(), 2U);
+}
+
 TEST_F(RecorderOf, WritesTheSameWithAndWithoutAThread) {
   test::TemporaryFolder other;
   History second;

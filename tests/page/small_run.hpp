@@ -31,6 +31,7 @@ class SmallRun {
     onlooker.objects = [this] { return objects; };
     onlooker.collisions = [this] { return touches; };
     onlooker.bodies = [this] { return bodies; };
+    onlooker.script = [this] { return script; };
     onlooker.knowledge = [this]() -> const knowledge::Knowledge& { return knowledge.now(); };
     onlooker.voxels = [this]() -> const mapping::VoxelMap& { return current; };
     recorder.begin({"0.0.0", "lab", "dynamic", 7, &floor, &reference, &model, 0.1, 0.5, 0.5, place}, onlooker);
@@ -59,6 +60,7 @@ class SmallRun {
   std::vector<page::Touch> touches;
   std::vector<page::MovableBody> bodies;
   page::Place place{"lab", "", {}};
+  std::vector<page::Occurrence> script;
   RgbdFrame frame;
   Stamp now;
   int steps_before = 0;

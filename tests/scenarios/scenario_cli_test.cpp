@@ -56,6 +56,23 @@ TEST_F(ScenarioCli, WhatIsBrokenMustFail) {
       << ended.out;
 }
 
+TEST_F(ScenarioCli, WatchedItLeavesARunFolder) {
+  const std::string text = kWorld +
+                           "time_limit: 3\nevents: [{at: 1, fault: {sensor: camera, kind: 'off'}}]\n"
+                           "expect: {end: time_limit, regions: {min: 1}}\n";
+  const Ended plain = scenario(text, {"--out", "kept"});
+  const Ended ended = scenario(text, {"--view", "--port", "0", "--out", "run"});
+  EXPECT_EQ(ended.status, plain.status) << ended.err;
+  EXPECT_NE(ended.err.find("watch at http://127.0.0.1:"), std::string::npos) << ended.err;
+  EXPECT_EQ(folder.read("run/log.txt"), folder.read("kept/s.log")) << "watching changes nothing";
+  EXPECT_EQ(folder.read("run/status"), "finished\n");
+  const std::string timeline = folder.read("run/timeline.jsonl"), report = folder.read("run/report.json");
+  EXPECT_NE(timeline.find("{\"e\":\"script\",\"t\":1"), std::string::npos);
+  EXPECT_NE(report.find("\"as_expected\": false"), std::string::npos) << report;
+  EXPECT_NE(folder.read("run/report.html").find("\"as_expected\":false"), std::string::npos);
+  EXPECT_EQ(scenario(text, {"--view", "--prove"}).status, 2);
+}
+
 struct RandomScenarioCli : ScenarioCli {
   static std::vector<std::string> words(const std::string& count, const std::string& seed, const std::string& out) {
     const std::string world = AMISS_SOURCE_DIR "/tests/scenarios/worlds/two_rooms.sdf";

@@ -46,7 +46,7 @@ async function start(...words) {
 /** A page that may say nothing on its console and ask nobody but `origin`. */
 async function open(browser, url, origin, look) {
   const page = await browser.newPage(look);
-  page.setDefaultTimeout(60000);
+  page.setDefaultTimeout(240000); // a place that was not mapped yet is mapped first
   page.complaints = [];
   page.on('console', (message) => page.complaints.push(`${message.type()}: ${message.text()}`));
   page.on('pageerror', (error) => page.complaints.push(error.stack));
@@ -152,6 +152,29 @@ async function report(browser) {
   await page.close();
 }
 
+/** A scripted run: what the script does is in the timeline, what was expected in the table of its end. */
+async function scenarioRun(browser) {
+  const file = fileURLToPath(new URL('../../share/scenarios/camera_fails.yaml', import.meta.url));
+  rmSync(join(folder, 'scenario'), { recursive: true, force: true });
+  const { url, ended } = await start('scenario', file, '--out', 'scenario', '--view', '--port', '0', '--quiet', '--speed', '20');
+  const page = await open(browser, url, url, DESKTOP);
+  await page.waitForFunction(() => window.amiss.store.all('script').length > 0);
+  assert.match(await page.textContent('#subject'), /camera_fails/);
+  await page.selectOption('#speed', '0');
+  await page.waitForFunction(() => window.amiss.ended);
+  assert.equal(await page.evaluate(() => window.amiss.ended.as_expected), true);
+  await page.click('#tab-run');
+  await page.waitForSelector('#run tbody tr');
+  assert.match(await page.textContent('#run'), /as expected/);
+  await page.click('#tab-events');
+  assert.match(await page.textContent('#events'), /camera/);
+  await page.waitForTimeout(500);
+  await shoot(page, 'scenario');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+  assert.equal(await ended, 0);
+}
+
 const browser = await chromium.launch({
   executablePath: chromiumProgram,
   args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
@@ -160,6 +183,7 @@ try {
   await liveRun(browser);
   await finishedRun(browser);
   await report(browser);
+  await scenarioRun(browser);
   console.log('the page works');
 } finally {
   await browser.close();

@@ -7,6 +7,7 @@ export const LANES = [
   { name: 'regions', colour: REGION.open.colour, marks: (store) => detections(store) },
   { name: 'examined', colour: SEGMENT.colour, marks: (store) => store.all('examined').map((e) => [e.t, `${e.region ? 'region ' + e.region : 'frame'} examined`]) },
   { name: 'found', colour: OBJECT.found.colour, marks: (store) => finds(store).map((o) => [o.found_at, o.name + ' found']) },
+  { name: 'script', colour: PALETTE.grey, optional: true, marks: (store) => store.all('script').map((e) => [e.t, e.text]) },
   { name: 'faults', colour: PALETTE.vermillion, marks: (store) => faults(store).map((e) => [e.t, e.text]) },
 ];
 
@@ -24,7 +25,7 @@ export class Lanes {
   constructor(host) {
     this.host = host;
     this.key = '';
-    this.cursor = svg('line', { class: 'cursor', y1: 0, y2: LANE * LANES.length });
+    this.cursor = svg('line', { class: 'cursor', y1: 0 });
   }
 
   update(store, time) {
@@ -42,7 +43,9 @@ export class Lanes {
   x(time, end, width) { return NAMES + (width - NAMES - 8) * (end > 0 ? time / end : 0); }
 
   paint(store, width) {
-    const height = LANE * LANES.length;
+    const lanes = LANES.filter((lane) => !lane.optional || lane.marks(store).length > 0);
+    const height = LANE * lanes.length;
+    this.cursor.setAttribute('y2', height);
     const drawing = svg('svg', { width, height, viewBox: `0 0 ${width} ${height}` });
     const progress = store.all('progress');
     const most = Math.max(1, ...progress.map((e) => e.seen_m2));
@@ -51,7 +54,7 @@ export class Lanes {
       const [from, to] = [progress[0], progress.at(-1)].map((e) => this.x(e.t, store.end, width));
       drawing.append(svg('polygon', { class: 'seen', points: `${from},${height} ${points.join(' ')} ${to},${height}` }));
     }
-    LANES.forEach((lane, i) => {
+    lanes.forEach((lane, i) => {
       const y = LANE * (i + 0.5);
       const name = svg('text', { x: 0, y: y + 4 });
       name.textContent = lane.name;

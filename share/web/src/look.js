@@ -23,6 +23,11 @@ export const VIEW = {
   dropped: { letter: 'd', colour: PALETTE.grey, meaning: 'dropped: seen on the way, or out of reach' },
 };
 
+export const FAULT = { letter: '!', colour: PALETTE.vermillion, meaning: 'fault' };
+export const SCRIPT = { letter: '*', colour: PALETTE.grey, meaning: 'done by the script of the scenario' };
+export const HOLDS = { letter: '✓', colour: PALETTE.green, meaning: 'holds' };
+export const FAILS = { letter: '✗', colour: PALETTE.vermillion, meaning: 'does not hold' };
+
 export const objectLook = (object) => (object.found ? OBJECT.found : OBJECT.missing);
 
 /** A colour of the style sheet, for what the style sheet does not reach. */

@@ -1,6 +1,6 @@
 // The tables: everything that the scene shows, in words and numbers, at the instant that is shown.
 import { badge, make, metres, place, seconds } from './dom.js';
-import { OBJECT, REGION, SEGMENT, VIEW, objectLook } from './look.js';
+import { FAILS, FAULT, HOLDS, OBJECT, REGION, SCRIPT, SEGMENT, VIEW, objectLook } from './look.js';
 import { faults, finds } from './lanes.js';
 import { plots } from './plots.js';
 
@@ -64,7 +64,8 @@ function happened(store, time) {
     ...(store.latest('regions', time)?.list ?? []).map((r) => ({ t: r.first_seen, text: `region ${r.id} detected`, look: REGION.open })),
     ...store.until('examined', time).map((e) => ({ t: e.t, text: `${e.region ? `region ${e.region}` : 'frame'} examined: ${e.segments.length} segments`, look: SEGMENT })),
     ...finds(store).filter((o) => o.found_at <= time).map((o) => ({ t: o.found_at, text: `${o.name} found`, look: OBJECT.found })),
-    ...faults(store).filter((e) => e.t <= time).map((e) => ({ ...e, look: { letter: '!', colour: '#d55e00', meaning: 'fault' } })),
+    ...store.until('script', time).map((e) => ({ ...e, look: SCRIPT })),
+    ...faults(store).filter((e) => e.t <= time).map((e) => ({ ...e, look: FAULT })),
   ];
   return list.sort((a, b) => b.t - a.t);
 }
@@ -73,6 +74,21 @@ function events(state, app) {
   const rows = happened(state.store, state.time).slice(0, 200)
     .map((e) => row([seconds(e.t), e.look ? signed(e.look, e.text) : e.text], { act: () => app.seek(e.t) }));
   return table(['at', 'what'], rows, 'Nothing yet.');
+}
+
+const tidied = (report) => [
+  ['found', `${report.objects_found} of ${report.objects_placed}`],
+  ['segmentations', String(report.segmentation_actions)], ['regions', `${report.regions.detected} (${report.regions.false} false)`],
+  ['driven', metres(report.distance_m, 1)], ['localization (RMSE)', metres(report.localization.rmse_m, 3)],
+  ['times real time', report.time.real_time_factor.toFixed(1)], ['digest', report.digest.slice(0, 16) + '…'],
+];
+
+const numeral = (value) => (value === null ? '–' : String(Number(value.toPrecision(4))));
+
+/** What a scenario expects of its run, and what came. */
+function expectations(report) {
+  const rows = report.findings.map((f) => row([signed(f.holds ? HOLDS : FAILS, f.what), make('span', { class: 'sentence' }, f.sentence)]));
+  return make('div', {}, make('h3', {}, report.as_expected ? 'as expected' : 'not as expected'), table(['expected', 'what came'], rows, 'Nothing was expected.'));
 }
 
 function figures(state) {
@@ -87,13 +103,13 @@ function figures(state) {
     ['touches', String(state.store.until('collision', state.time).length)],
   ];
   if (report) {
-    list.push(['outcome', report.outcome], ['found', `${report.objects_found} of ${report.objects_placed}`],
-      ['segmentations', String(report.segmentation_actions)], ['regions', `${report.regions.detected} (${report.regions.false} false)`],
-      ['driven', metres(report.distance_m, 1)], ['localization (RMSE)', metres(report.localization.rmse_m, 3)],
-      ['times real time', report.time.real_time_factor.toFixed(1)], ['digest', report.digest.slice(0, 16) + '…']);
+    list.push(['outcome', report.outcome]);
+    if (report.findings) list.push(...Object.entries(report.numbers).map(([name, value]) => [name.replaceAll('_', ' '), numeral(value)]));
+    else list.push(...tidied(report));
   }
   if (state.start) list.push(['world, seed, method', `${state.start.world}, ${state.start.seed}, ${state.start.method}`], ['amiss', state.start.version]);
-  return make('div', {}, make('dl', {}, ...list.flatMap(([term, value]) => [make('dt', {}, term), make('dd', {}, value)])), ...plots(state.store));
+  const sheet = make('dl', {}, ...list.flatMap(([term, value]) => [make('dt', {}, term), make('dd', {}, value)]));
+  return make('div', {}, report?.findings ? expectations(report) : undefined, sheet, ...plots(state.store));
 }
 
 const voxels = (base64) => Math.floor((base64.length * 3) / 4 / 6);

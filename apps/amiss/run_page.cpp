@@ -1,4 +1,4 @@
-#include "tidy_page.hpp"
+#include "run_page.hpp"
 
 #include <thread>
 
@@ -16,7 +16,7 @@ Pose2<Map, Base> on_map(const Transform<World, Map>& T_world_map, const Pose2<Wo
   return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
 }
 
-std::vector<page::PlacedObject> placed_objects(const TidyPage::Watched& watched) {
+std::vector<page::PlacedObject> placed_objects(const RunPage::Watched& watched) {
   std::vector<page::PlacedObject> objects;
   const Transform<Map, World> T_map_world = watched.T_world_map.inverse();
   for (const score::ObjectVerdict& v : watched.referee.verdicts()) {
@@ -26,7 +26,7 @@ std::vector<page::PlacedObject> placed_objects(const TidyPage::Watched& watched)
   return objects;
 }
 
-std::vector<page::Touch> touches(const TidyPage::Watched& watched) {
+std::vector<page::Touch> touches(const RunPage::Watched& watched) {
   std::vector<page::Touch> list;
   const Transform<Map, World> T_map_world = watched.T_world_map.inverse();
   for (const world::Collision& c : watched.simulator.collisions()) {
@@ -35,7 +35,7 @@ std::vector<page::Touch> touches(const TidyPage::Watched& watched) {
   return list;
 }
 
-std::vector<page::MovableBody> movable_bodies(const TidyPage::Watched& watched) {
+std::vector<page::MovableBody> movable_bodies(const RunPage::Watched& watched) {
   std::vector<page::MovableBody> list;
   const Transform<Map, World> T_map_world = watched.T_world_map.inverse();
   for (world::ObjectTruth& o : watched.simulator.truth().objects) {
@@ -44,9 +44,16 @@ std::vector<page::MovableBody> movable_bodies(const TidyPage::Watched& watched) 
   return list;
 }
 
+std::vector<page::Occurrence> occurrences(const RunPage::Watched& watched) {
+  std::vector<page::Occurrence> list;
+  if (watched.script == nullptr) return list;
+  for (const sim::Happening& h : watched.script->happened()) list.push_back({h.stamp, h.what});
+  return list;
+}
+
 }  // namespace
 
-TidyPage::TidyPage(const report::RunFolder& folder, const ViewOptions& options, bool threaded)
+RunPage::RunPage(const report::RunFolder& folder, const ViewOptions& options, bool threaded)
     : folder_(folder), recorder_(folder.path(), history_, threaded) {
   if (!options.wanted) return;
   pace_.set_speed(options.speed);
@@ -54,20 +61,21 @@ TidyPage::TidyPage(const report::RunFolder& folder, const ViewOptions& options, 
   announce(*server_);
 }
 
-void TidyPage::begin(const page::Beginning& beginning, const Watched& watched,
-                     std::function<const mapping::VoxelMap&()> voxels) {
+void RunPage::begin(const page::Beginning& beginning, const Watched& watched,
+                    std::function<const mapping::VoxelMap&()> voxels) {
   page::Onlooker onlooker;
   onlooker.true_pose = [watched] { return on_map(watched.T_world_map, watched.simulator.truth().T_world_base); };
   onlooker.objects = [watched] { return placed_objects(watched); };
   onlooker.collisions = [watched] { return touches(watched); };
   onlooker.bodies = [watched] { return movable_bodies(watched); };
+  onlooker.script = [watched] { return occurrences(watched); };
   onlooker.knowledge = [watched]() -> const knowledge::Knowledge& { return watched.knowledge.now(); };
   onlooker.voxels = std::move(voxels);
   recorder_.begin(beginning, std::move(onlooker));
   begun_ = true;
 }
 
-void TidyPage::attach(mission::Sinks& sinks) {
+void RunPage::attach(mission::Sinks& sinks) {
   recorder_.attach(sinks);
   if (!server_) return;
   sinks.step = [this, before = std::move(sinks.step), stop = sinks.stop](const mission::StepEvent& event) {
@@ -76,9 +84,9 @@ void TidyPage::attach(mission::Sinks& sinks) {
   };
 }
 
-void TidyPage::settle() { recorder_.settle(); }
+void RunPage::settle() { recorder_.settle(); }
 
-void TidyPage::end(const std::string& report_json) {
+void RunPage::end(const std::string& report_json) {
   if (!begun_) return;
   recorder_.end(report_json);
   const page::ReportPage report{history_.lines(),
@@ -87,7 +95,7 @@ void TidyPage::end(const std::string& report_json) {
   folder_.save("report.html", page::to_html(report));
 }
 
-void TidyPage::linger() const {
+void RunPage::linger() const {
   while (server_ && server_->watchers() > 0 && !interrupted())
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }

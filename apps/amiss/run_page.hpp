@@ -1,4 +1,4 @@
-// What there is to see of a tidy-up run: its timeline in the run folder, report.html, and the page for who watches.
+// What there is to see of a run: its timeline in the run folder, report.html, and the page for who watches.
 #pragma once
 
 #include <memory>
@@ -8,15 +8,15 @@
 #include "page/server.hpp"
 #include "report/run_folder.hpp"
 #include "score/referee.hpp"
-#include "sim/simulator.hpp"
+#include "sim/scripted_robot.hpp"
 #include "view_options.hpp"
 
 namespace amiss::app {
 
-class TidyPage {
+class RunPage {
  public:
   /// Serves at once where that is wanted, so that the mapping run does not keep a page waiting.
-  TidyPage(const report::RunFolder& folder, const ViewOptions& options, bool threaded);
+  RunPage(const report::RunFolder& folder, const ViewOptions& options, bool threaded);
 
   /// Whom the page may ask, from begin() to settle().
   struct Watched {
@@ -24,6 +24,7 @@ class TidyPage {
     const score::Referee& referee;
     Transform<World, Map> T_world_map;  // as the referee has it
     const knowledge::KnowledgeBase& knowledge;
+    const sim::ScriptedRobot* script = nullptr;  // where there is one
   };
   void begin(const page::Beginning& beginning, const Watched& watched,
              std::function<const mapping::VoxelMap&()> voxels);
