@@ -35,6 +35,13 @@ Json at(const std::optional<Stamp>& stamp) { return stamp ? Json(rounded(seconds
 /// Text of others (names in worlds) may be anything: what is no UTF-8 is replaced.
 std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+/// An event that tells one thing.
+std::string line_of(std::string_view name, Stamp stamp, const char* key, Json value) {
+  Json json = event(name, stamp);
+  json[key] = std::move(value);
+  return line(json);
+}
+
 /// Four cells in a byte, the first in the lowest bits.
 std::string packed(const FloorGrid& grid) {
   std::string bytes((grid.cells().size() + 3) / 4, '\0');
@@ -177,9 +184,7 @@ std::string regions_line(Stamp stamp, const std::vector<knowledge::Region>& regi
                     {"first_seen", rounded(seconds(r.first_seen))},
                     {"examined_at", at(r.examined_at)}});
   }
-  Json json = event("regions", stamp);
-  json["list"] = std::move(list);
-  return line(json);
+  return line_of("regions", stamp, "list", std::move(list));
 }
 
 std::string views_line(Stamp stamp, const std::vector<knowledge::View>& views) {
@@ -191,9 +196,7 @@ std::string views_line(Stamp stamp, const std::vector<knowledge::View>& views) {
                     {"height", rounded(v.height_m)},
                     {"state", state_of(v)}});
   }
-  Json json = event("views", stamp);
-  json["list"] = std::move(list);
-  return line(json);
+  return line_of("views", stamp, "list", std::move(list));
 }
 
 std::string plan_line(const mission::PlanEvent& e) {
@@ -211,18 +214,12 @@ std::string plan_line(const mission::PlanEvent& e) {
   return line(json);
 }
 
-std::string step_line(const mission::ActionEvent& e) {
-  Json json = event("step", e.stamp);
-  json["step"] = e.step;
-  return line(json);
-}
+std::string step_line(const mission::ActionEvent& e) { return line_of("step", e.stamp, "step", e.step); }
 
 std::string path_line(const mission::PathEvent& e) {
   Json points = Json::array();
   for (const Eigen::Vector2d& p : e.path->points_m) points.push_back(vector(p));
-  Json json = event("path", e.stamp);
-  json["points"] = std::move(points);
-  return line(json);
+  return line_of("path", e.stamp, "points", std::move(points));
 }
 
 std::string frame_line(Stamp taken, Slice colour, Slice depth) {
@@ -262,9 +259,7 @@ std::string objects_line(Stamp stamp, const std::vector<PlacedObject>& objects) 
                     {"cover", rounded(o.cover)},
                     {"purity", rounded(o.purity)}});
   }
-  Json json = event("objects", stamp);
-  json["list"] = std::move(list);
-  return line(json);
+  return line_of("objects", stamp, "list", std::move(list));
 }
 
 std::string bodies_line(Stamp stamp, const std::vector<MovableBody>& bodies, const std::vector<std::string>& gone) {
@@ -286,21 +281,13 @@ std::string collision_line(const Touch& touch) {
 }
 
 std::string script_line(const Occurrence& occurrence) {
-  Json json = event("script", occurrence.stamp);
-  json["text"] = occurrence.text;
-  return line(json);
+  return line_of("script", occurrence.stamp, "text", occurrence.text);
 }
 
-std::string log_line(Stamp stamp, std::string_view text) {
-  Json json = event("log", stamp);
-  json["text"] = text;
-  return line(json);
-}
+std::string log_line(Stamp stamp, std::string_view text) { return line_of("log", stamp, "text", text); }
 
 std::string end_line(Stamp stamp, std::string_view report_json) {
-  Json json = event("end", stamp);
-  json["report"] = Json::parse(report_json);
-  return line(json);
+  return line_of("end", stamp, "report", Json::parse(report_json));
 }
 
 }  // namespace amiss::page
