@@ -19,7 +19,7 @@ struct VisitsParams {
   double against = 0.25;
   double stay = 0.25;  // parts of the objects of the visit before; the rest is gone
   double move = 0.40;
-  ScatterParams scatter{.object_distance_m = 0.3, .start_distance_m = 0.6};
+  ScatterParams scatter{.object_distance_m = 0.3, .start_distance_m = 1.2};  // a raised camera sees no floor nearer
   PlacerParams placer;
   NudgingParams nudging;
 };
