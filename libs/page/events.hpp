@@ -71,7 +71,6 @@ struct Slice {
   std::size_t begin = 0, bytes = 0;
 };
 
-[[nodiscard]] std::string base64(std::string_view bytes);
 [[nodiscard]] std::string voxels_text(std::span<const mapping::Voxel> voxels);
 
 [[nodiscard]] std::string start_line(const Beginning& beginning);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base64.hpp"
 #include "core/result.hpp"
 #include "page/bundle.hpp"
 

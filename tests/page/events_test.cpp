@@ -6,24 +6,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base64.hpp"
+
 namespace amiss::page {
 namespace {
 
 using nlohmann::json;
 
 const Stamp kNow{duration_of(12.3456789)};
-
-TEST(Events, Base64IsThatOfRfc4648) {
-  const std::vector<std::pair<std::string, std::string>> vectors{{"", ""},
-                                                                 {"f", "Zg=="},
-                                                                 {"fo", "Zm8="},
-                                                                 {"foo", "Zm9v"},
-                                                                 {"foob", "Zm9vYg=="},
-                                                                 {"fooba", "Zm9vYmE="},
-                                                                 {"foobar", "Zm9vYmFy"},
-                                                                 {std::string("\xff\xfe\x00", 3), "//4A"}};
-  for (const auto& [bytes, text] : vectors) EXPECT_EQ(base64(bytes), text);
-}
 
 RC_GTEST_PROP(Events, VoxelsTakeEightCharactersEach, (const std::vector<std::array<std::int16_t, 3>>& indices)) {
   std::vector<mapping::Voxel> voxels;
