@@ -15,8 +15,6 @@ struct DrawnFigure {
 };
 [[nodiscard]] std::string to_html(const Folder& folder, const std::vector<DrawnFigure>& figures);
 
-/// Text that is no markup.
-[[nodiscard]] std::string escaped(std::string_view text);
 /// The svg element alone, every id in it beginning with `prefix`, so that several stand in one page.
 [[nodiscard]] std::string inlined(std::string_view svg, const std::string& prefix);
 

@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "experiment/table.hpp"
+#include "report/document.hpp"
 
 namespace amiss::experiment {
 
 /// Vertical lines within a text are escaped.
 [[nodiscard]] std::string to_markdown(const Table& table);
 
-/// A page by itself: title, sentences, the table. Rows that begin a new group (another text in the first column) get a
-/// line above them. All texts are escaped; nothing is loaded.
+/// Rows that begin a new group (another text in the first column) get a line above them.
+void add_grouped(report::Document& page, const Table& table);
+
+/// A page by itself: title, sentences, the table grouped.
 [[nodiscard]] std::string to_page(const std::string& title, const std::vector<std::string>& sentences,
                                   const Table& table);
 
