@@ -136,15 +136,22 @@ int DatasetJobs::record(const DatasetRoom& room, std::size_t visit) const {
   throw InputError(room.world.file.string() + ": the tour did not come to its end");
 }
 
-std::string DatasetJobs::summary(const std::vector<world::RoomPlan>& plans) const {
-  std::size_t recordings = 0, objects = 0;
-  const world::Catalogue catalogue = world::load_catalogue({resources_.objects}, settings_.run.world);
+std::vector<std::filesystem::path> DatasetJobs::recordings(const std::vector<world::RoomPlan>& plans) const {
+  std::vector<std::filesystem::path> folders;
   for (const world::RoomPlan& plan : plans) {
-    for (std::size_t k = 0; k <= plan.objects.size(); ++k, ++recordings) {
-      objects += sim::load_scatter(recording(plan.world, k) / "truth" / "objects.yaml", catalogue).size();
-    }
+    for (std::size_t k = 0; k <= plan.objects.size(); ++k) folders.push_back(recording(plan.world, k));
   }
-  return fmt::format("{} recordings with {} objects in {}", recordings, objects, (out_ / "recordings").string());
+  return folders;
+}
+
+std::string DatasetJobs::summary(const std::vector<world::RoomPlan>& plans) const {
+  const world::Catalogue catalogue = world::load_catalogue({resources_.objects}, settings_.run.world);
+  const auto folders = recordings(plans);
+  std::size_t objects = 0;
+  for (const auto& folder : folders) {
+    objects += sim::load_scatter(folder / "truth" / "objects.yaml", catalogue).size();
+  }
+  return fmt::format("{} recordings with {} objects", folders.size(), objects);
 }
 
 }  // namespace amiss::app

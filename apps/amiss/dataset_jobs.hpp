@@ -20,7 +20,9 @@ class DatasetJobs {
   [[nodiscard]] std::vector<std::string> visits(const std::vector<world::RoomPlan>& plans) const;
   /// ArgumentError for a name that is none of the above.
   [[nodiscard]] int run(const std::string& job) const;
-  /// "31 recordings with 260 objects in DIR/recordings"
+  /// The folders of all recordings of these rooms.
+  [[nodiscard]] std::vector<std::filesystem::path> recordings(const std::vector<world::RoomPlan>& plans) const;
+  /// "31 recordings with 260 objects"
   [[nodiscard]] std::string summary(const std::vector<world::RoomPlan>& plans) const;
 
  private:

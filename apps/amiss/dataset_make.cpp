@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "core/result.hpp"
 #include "dataset_jobs.hpp"
+#include "dataset_report.hpp"
 #include "experiment/process.hpp"
 #include "interrupt.hpp"
 #include "time_left.hpp"
@@ -44,8 +45,8 @@ void claim(const fs::path& folder, const DatasetOptions& options, DatasetSetting
 }
 
 std::vector<std::string> words_of(const DatasetOptions& options, const std::string& job) {
-  std::vector<std::string> words{own_program(),  "dataset", "make", "--out",  options.out, "--seed",
-                                 std::to_string(options.seed), "--child", job};
+  std::vector<std::string> words{
+      own_program(), "dataset", "make", "--out", options.out, "--seed", std::to_string(options.seed), "--child", job};
   if (!options.rawlog) words.emplace_back("--no-rawlog");
   if (!options.params_file.empty()) words.insert(words.end(), {"--params", options.params_file});
   for (const std::string& assignment : options.overrides) words.insert(words.end(), {"--set", assignment});
@@ -108,8 +109,12 @@ int make_dataset(const DatasetOptions& options) {
   claim(options.out, options, settings);
   int status = Work(options, jobs.preparations(plans), "maps and placements").run();
   if (status == kGoalMet) status = Work(options, jobs.visits(plans), "visits").run();
-  if (status == kGoalMet && !options.quiet) std::cout << jobs.summary(plans) << "\n";
-  return status;
+  if (status != kGoalMet) return status;
+  const std::string summary = jobs.summary(plans);
+  save_atomically(fs::path(options.out) / "report.html",
+                  dataset_page(summary, settings.table().to_yaml(), jobs.recordings(plans)));
+  if (!options.quiet) std::cout << summary << " in " << options.out << "/recordings\n";
+  return kGoalMet;
 }
 
 }  // namespace amiss::app

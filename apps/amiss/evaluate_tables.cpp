@@ -114,6 +114,32 @@ std::string report_of(const std::vector<JudgedRooms>& judged, const std::string&
   return report.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// The table, and what the last method (the thesis' own) found on each visit.
+std::string page_of(const std::string& title, const SavedTable& saved, const std::vector<JudgedRooms>& judged,
+                    const std::string& parameters) {
+  report::Document page(title);
+  for (const std::string& sentence : saved.sentences) page.paragraph(sentence);
+  experiment::add_grouped(page, saved.table);
+  page.heading("Visits");
+  for (const JudgedRooms& one : judged) {
+    const std::string method = one.results.back().trial.method;
+    const std::string name = one.reconstruction.empty() ? "" : one.reconstruction + ", ";
+    page.begin_details(fmt::format("{}{}: what was found, from above", name, method));
+    for (const TrialResult& r : one.results) {
+      if (r.trial.method != method) continue;
+      const std::string missed = r.missed.empty() ? "none" : fmt::format("{}", fmt::join(r.missed, ", "));
+      page.picture(r.picture, fmt::format("{}, {}: {} objects, {} clusters; missed: {}", r.trial.room, r.scene,
+                                          r.objects, r.clusters, missed));
+    }
+    page.end_details();
+  }
+  page.heading("Parameters and versions");
+  page.begin_details("amiss " AMISS_VERSION ", parameters");
+  page.preformatted(parameters);
+  page.end_details();
+  return page.to_html();
+}
+
 }  // namespace
 
 SavedTable save_tables(const std::vector<JudgedRooms>& judged, const DetectSettings& settings, const std::string& stem,
@@ -123,6 +149,7 @@ SavedTable save_tables(const std::vector<JudgedRooms>& judged, const DetectSetti
                                 ? "Novel objects: Table 5.2"
                                 : "Novel objects by methods of reconstruction (5.3.6)";
   save_atomically(out / "params.yaml", settings.as_yaml());
+  save_atomically(out / "report.html", page_of(title, saved, judged, settings.as_yaml()));
   save_atomically(out / (stem + ".tsv"), experiment::to_tsv(saved.table));
   save_atomically(out / (stem + ".md"),
                   fmt::format("{}\n\n{}", fmt::join(saved.sentences, "\n\n"), experiment::to_markdown(saved.table)));

@@ -165,16 +165,18 @@ std::vector<TrialResult> run_trials(const Visit& visit, const std::vector<std::s
   std::vector<TrialResult> results;
   std::unique_ptr<Rooms> rooms;
   for (const std::string& method : methods) {
-    const fs::path file = folder / (method + ".json");
+    const fs::path file = folder / (method + ".json"), picture = folder / (method + ".png");
     if (const auto earlier = done_before(file, key)) {
       results.push_back(*earlier);
-      continue;
+    } else {
+      if (!rooms) rooms = std::make_unique<Rooms>(visit, settings);
+      if (labelled_only && needs_labels(method) && !rooms->labelled()) continue;
+      results.push_back(rooms->run(visit.room, method, picture));
+      save_atomically(file,
+                      json_of(results.back(), key).dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
     }
-    if (!rooms) rooms = std::make_unique<Rooms>(visit, settings);
-    if (labelled_only && needs_labels(method) && !rooms->labelled()) continue;
-    results.push_back(rooms->run(visit.room, method, folder / (method + ".png")));
-    save_atomically(file,
-                    json_of(results.back(), key).dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    results.back().scene = visit.current.name();
+    results.back().picture = picture;
   }
   return results;
 }

@@ -33,6 +33,8 @@ struct TrialResult {
   std::vector<std::string> missed;  // names of objects
   double wall_s = 0.0;              // of the detection; a method's own part and what all methods share
   bool done_before = false;
+  std::string scene;
+  std::filesystem::path picture;  // from above, what was found
 };
 
 /// The methods on one visit. `labelled_only`: methods that need labels are left out where there are none.

@@ -16,6 +16,7 @@
 #include "resources.hpp"
 #include "scenario_jobs.hpp"
 #include "scenario_random.hpp"
+#include "scenario_report.hpp"
 #include "scenario_run.hpp"
 #include "scenario_view.hpp"
 
@@ -143,6 +144,11 @@ int run_files(const Arguments& a) {
                                   [](const JobResult& r) { return r.finished && r.exit_status == 0; });
   if (!a.quiet) std::cout << good << " of " << results.size() << " as expected\n";
   if (!a.junit.empty()) save_atomically(a.junit, report::to_junit("scenarios", junit_of(results)));
+  if (!a.out.empty()) {
+    std::vector<fs::path> kept;
+    for (const ScenarioJob& job : jobs) kept.push_back(kept_at(a, job));
+    save_atomically(fs::path(a.out) / "report.html", scenarios_page(results, kept));
+  }
   return status_of(results);
 }
 

@@ -124,9 +124,12 @@ std::vector<report::JunitCase> junit_of(const std::vector<JobResult>& results) {
   return cases;
 }
 
+std::string_view verdict_of(const JobResult& result) {
+  return result.exit_status == kGoalMet ? "ok" : result.exit_status == kGoalNotMet ? "FAILED" : "ERROR";
+}
+
 std::string line_of(const JobResult& result) {
-  const char* word = result.exit_status == kGoalMet ? "ok" : result.exit_status == kGoalNotMet ? "FAILED" : "ERROR";
-  std::string text = fmt::format("{:<7} {:<40} {:6.1f} s simulated, {:5.1f} s\n", word, result.job.name,
+  std::string text = fmt::format("{:<7} {:<40} {:6.1f} s simulated, {:5.1f} s\n", verdict_of(result), result.job.name,
                                  result.simulated_s, result.wall_s);
   for (const std::string& sentence : result.sentences) text += "        " + sentence + "\n";
   return text;

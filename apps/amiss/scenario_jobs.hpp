@@ -27,7 +27,7 @@ struct ScenarioJob {
 struct JobResult {
   ScenarioJob job;
   bool finished = false;  // or interrupted, or never begun: then nothing else says anything
-  int exit_status = 0;  // 0 as expected, 1 an expectation failed, 2 and 3 a wrong scenario, 4 the program failed
+  int exit_status = 0;    // 0 as expected, 1 an expectation failed, 2 and 3 a wrong scenario, 4 the program failed
   std::vector<std::string> sentences;
   std::string log;
   double simulated_s = 0.0, wall_s = 0.0;
@@ -44,6 +44,8 @@ struct JobResult {
 
 /// Of those that finished.
 [[nodiscard]] std::vector<report::JunitCase> junit_of(const std::vector<JobResult>& results);
+/// "ok", "FAILED" (an expectation) or "ERROR" (scenario or program).
+[[nodiscard]] std::string_view verdict_of(const JobResult& result);
 /// "ok       name   12.3 s (1.2 s)" and the sentences of what failed.
 [[nodiscard]] std::string line_of(const JobResult& result);
 

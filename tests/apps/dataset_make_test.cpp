@@ -57,6 +57,9 @@ Ended Dataset::made;
 
 TEST_F(Dataset, ARecordingHasWhatSensorsSayAndTheTruthApart) {
   EXPECT_NE(made.out.find("2 recordings with 3 objects"), std::string::npos) << made.out;
+  const std::string page = folder->read("data/report.html");
+  EXPECT_NE(page.find("2 recordings with 3 objects"), std::string::npos);
+  EXPECT_NE(page.find("alt=\"office_desk/scene2\" src=\"data:image/jpeg"), std::string::npos) << "its picture";
   const auto recording = dataset::open_recording(scene("scene2"));
   ASSERT_GT(recording->size(), 50U);
   EXPECT_EQ(recording->dropped(), 0U);

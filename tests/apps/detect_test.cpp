@@ -128,6 +128,7 @@ TEST_F(Detect, TableOfAllMethodsIsWrittenAndContinued) {
   EXPECT_EQ(rows[1].rfind("kitchen_partial\toctomap\t", 0), 0U);
   EXPECT_EQ(rows[12].rfind("average\tlocal-verification\t1.0000\t0.0000\t0.", 0), 0U) << rows[12];
   EXPECT_TRUE(rows[12].ends_with("\t0\t0")) << rows[12];
+  EXPECT_NE(folder.read("out/report.html").find("data:image/jpeg;base64,"), std::string::npos) << "what was found";
   EXPECT_NE(folder.read("out/table52.html").find("kitchen_partial/scene4: no annotations"), std::string::npos);
   EXPECT_NE(folder.read("out/table52.md").find("| average | local-verification |"), std::string::npos);
   EXPECT_EQ(json_of("out/report.json")["wall"]["done_before"], 0);

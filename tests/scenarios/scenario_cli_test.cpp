@@ -26,6 +26,9 @@ TEST_F(ScenarioCli, AsExpected) {
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
   EXPECT_NE(folder.read("out.xml").find("failures=\"0\" errors=\"0\""), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "kept" / "s.png"));
+  const std::string page = folder.read("kept/report.html");
+  EXPECT_NE(page.find("1 of 1 as expected"), std::string::npos);
+  EXPECT_NE(page.find("data:image/jpeg;base64,"), std::string::npos) << "its floor plan";
 }
 
 TEST_F(ScenarioCli, AFailedExpectationIsOne) {
