@@ -28,10 +28,10 @@ export class Layers {
       world.add((this.groups[name] = new THREE.Group()));
       this.groups[name].visible = on;
     }
-    this.reference = new Voxels({ low: '#9aa0a8', size: 0.98, opacity: 0.35, order: 1 });
-    this.current = new Voxels({ low: '#33536f', high: '#9cc3e6', order: 2 });
-    this.appeared = new Voxels({ low: PALETTE.orange, size: 1.25, order: 3 });
-    this.vanished = new Voxels({ low: PALETTE.blue, size: 1.25, order: 3 });
+    this.reference = new Voxels({ opacity: 0.3, order: 1, front: -1 });
+    this.current = new Voxels({});
+    this.appeared = new Voxels({ low: PALETTE.orange, front: 1 });
+    this.vanished = new Voxels({ low: PALETTE.blue, opacity: 0.85, order: 2, front: 1 });
     this.groups.reference.add(this.reference.object);
     this.groups.current.add(this.current.object);
     this.groups.difference.add(this.appeared.object, this.vanished.object);
@@ -50,7 +50,8 @@ export class Layers {
   }
 
   setVisible(name, on) { this.groups[name].visible = on; }
-  setScale(scale) { for (const v of [this.reference, this.current, this.appeared, this.vanished]) v.setScale(scale); }
+  /** Nothing of the maps above that height [m] is drawn. */
+  cut(upTo) { for (const voxels of [this.reference, this.current, this.appeared, this.vanished]) voxels.cut(upTo); }
 
   restyle() {
     this.floor?.paint();

@@ -115,7 +115,6 @@ export class Scene {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.layers.setScale((height * this.renderer.getPixelRatio()) / (2 * Math.tan((FIELD / 2) * (Math.PI / 180))));
     this.draw();
   }
 
