@@ -96,11 +96,11 @@ void print(const recording::ReplayReport& report, const knowledge::Knowledge& kn
 
 int run(const Arguments& a) {
   catch_interrupts();
-  recording::Recording recording(a.file);
+  const auto source = recording::open_source(a.file);
   for (const char* name : {"params.yaml", "map.yaml", "map.pgm", "mapped.ot", "reference.ot"}) {
-    if (!recording.documents().contains(name)) throw InputError(a.file + ": " + name + " is not attached to it");
+    if (!source->documents().contains(name)) throw InputError(a.file + ": " + name + " is not attached to it");
   }
-  const Unpacked unpacked(recording.documents());
+  const Unpacked unpacked(source->documents());
   Settings settings = load_settings(unpacked.path() / "params.yaml", {});
   settings.mission.perception.time_limit_s = std::numeric_limits<double>::infinity();  // the recording ends it
   const mission::Reference reference = mission::load_reference(unpacked.path(), settings.mission.voxels);
@@ -111,7 +111,7 @@ int run(const Arguments& a) {
              : knowledge::KnowledgeBase(settings.mission.knowledge);
   mission::Sinks sinks;
   sinks.stop = interrupted;
-  const recording::ReplayReport report = recording::replay(recording, reference, settings.mission, knowledge, sinks);
+  const recording::ReplayReport report = recording::replay(*source, reference, settings.mission, knowledge, sinks);
   const std::string json = json_of(report, knowledge.now()).dump(2) + "\n";
   if (folder) {
     folder->save("current.ot", mapping::voxel_map_bytes(report.voxels, mapping::VoxelFormat::kOt));
@@ -131,7 +131,9 @@ int run(const Arguments& a) {
 void add_replay_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("replay", "perception of a recorded run once more, without the simulator");
-  command->add_option("FILE", a->file, "recording.mcap of `amiss tidy --record mcap`")->type_name("FILE")->required();
+  command->add_option("FILE", a->file, "recording.mcap or recording.rawlog of `amiss tidy --record`")
+      ->type_name("FILE")
+      ->required();
   command->add_option("--out", a->out, "folder for knowledge.sqlite, current.ot and report.json")->type_name("DIR");
   command->add_flag("--json", a->json, "print report.json and nothing else on standard output");
   command->add_flag("--quiet", a->quiet, "no table");

@@ -27,14 +27,14 @@ std::map<std::string, std::string> documents(const report::RunFolder& folder, co
 
 TidyRecording::TidyRecording(robot::Robot& robot, const report::RunFolder& folder, const Wanted& wanted)
     : robot_(robot), recording_robot_(robot, [this](const robot::Observation& o) { record(o); }) {
-  if (wanted.format == "mcap" || wanted.format == "both") {
-    const recording::RunSetup setup{wanted.seed,    wanted.method,           wanted.floor_clearance_m,
-                                    &robot.model(), &wanted.reference.floor, documents(folder, wanted)};
+  if (wanted.format.empty()) return;
+  const recording::RunSetup setup{wanted.seed,    wanted.method,           wanted.floor_clearance_m,
+                                  &robot.model(), &wanted.reference.floor, documents(folder, wanted)};
+  if (wanted.format != "rawlog") {
     mcap_ = std::make_unique<recording::RunRecorder>(folder.path() / kMcap, setup, wanted.threaded);
   }
-  if (wanted.format == "rawlog" || wanted.format == "both") {
-    rawlog_ =
-        std::make_unique<recording::RawlogWriter>(folder.path() / kRawlog, robot.model().T_base_laser, wanted.threaded);
+  if (wanted.format != "mcap") {
+    rawlog_ = std::make_unique<recording::RawlogWriter>(folder.path() / kRawlog, setup, wanted.threaded);
   }
 }
 
@@ -46,6 +46,7 @@ void TidyRecording::record(const robot::Observation& observation) {
 void TidyRecording::attach(mission::Sinks& sinks, const knowledge::KnowledgeBase& knowledge,
                            std::function<const mapping::VoxelMap&()> voxels) {
   if (mcap_) mcap_->attach(sinks, knowledge, std::move(voxels));
+  if (rawlog_) rawlog_->attach(sinks);
 }
 
 void TidyRecording::close() {

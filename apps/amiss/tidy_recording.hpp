@@ -1,4 +1,5 @@
-// `--record` of a tidy-up run: recording.mcap, with all that a replay needs, and recording.rawlog in the run folder.
+// `--record` of a tidy-up run: recording.mcap and recording.rawlog in the run folder, each with all that a
+// replay needs.
 #pragma once
 
 #include <memory>

@@ -4,6 +4,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRawDAQ.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <cmath>
@@ -11,13 +12,14 @@
 #include <stdexcept>
 
 #include "core/worker.hpp"
+#include "recording/internal/decisions.hpp"
+#include "recording/internal/exact_depth.hpp"
+#include "recording/robot_messages.hpp"
 
 namespace amiss::recording {
 
 namespace {
 
-constexpr float kDepthUnit = 0.001F;  // m
-constexpr float kMostDepth = 65.0F;   // m, of 16 bits
 constexpr int kCompression = 1;
 
 mrpt::Clock::time_point time_of(Stamp stamp) { return mrpt::Clock::fromDouble(seconds(stamp)); }
@@ -79,8 +81,8 @@ mrpt::obs::CObservation3DRangeScan frame_of(const robot::CapturedFrame& captured
   o.sensorPose = pose_of(captured.T_base_camera.T * optical_from_body());
   o.cameraParams = o.cameraParamsIntensity = camera_of(c);
   o.range_is_depth = true;
-  o.maxRange = kMostDepth;
-  o.rangeUnits = kDepthUnit;
+  o.maxRange = internal::kMostDepthM;
+  o.rangeUnits = internal::kDepthUnitM;
   o.hasRangeImage = true;
   o.rangeImage_setSize(c.height, c.width);
   o.hasIntensityImage = true;
@@ -89,9 +91,7 @@ mrpt::obs::CObservation3DRangeScan frame_of(const robot::CapturedFrame& captured
   std::size_t i = 0;
   for (unsigned v = 0; v < o.cameraParams.nrows; ++v) {
     for (unsigned u = 0; u < o.cameraParams.ncols; ++u, ++i) {
-      const float depth = frame.depth_m[i];  // 0 is MRPT's "nothing came back"
-      const bool valid = depth > 0.0F && depth < kMostDepth;
-      o.rangeImage(v, u) = valid ? static_cast<std::uint16_t>(std::lround(depth / kDepthUnit)) : std::uint16_t{0};
+      o.rangeImage(v, u) = internal::millimetres(frame.depth_m[i]);
       auto* bgr = o.intensityImage.ptr<std::uint8_t>(u, v);
       bgr[0] = frame.colour[i].b;
       bgr[1] = frame.colour[i].g;
@@ -101,11 +101,27 @@ mrpt::obs::CObservation3DRangeScan frame_of(const robot::CapturedFrame& captured
   return o;
 }
 
+mrpt::obs::CObservationRawDAQ data_of(const std::string& label, Stamp stamp, std::string_view bytes) {
+  mrpt::obs::CObservationRawDAQ o;
+  o.sensorLabel = label;
+  o.timestamp = time_of(stamp);
+  o.AIN_8bits.assign(bytes.begin(), bytes.end());
+  return o;
+}
+
+mrpt::obs::CObservationRawDAQ rest_of(const RgbdFrame& frame) {
+  mrpt::obs::CObservationRawDAQ o = data_of(RawlogWriter::kDepth, frame.stamp, {});
+  for (const float depth : frame.depth_m) o.AIN_32bits.push_back(internal::rest(depth, internal::millimetres(depth)));
+  return o;
+}
+
 }  // namespace
 
 struct RawlogWriter::State {
   std::filesystem::path path;
   Eigen::Isometry3d T_base_laser;
+  bool for_replay = false;
+  Stamp now;
   mrpt::io::CFileGZOutputStream stream;
   std::future<void> writing;
   Worker worker;  // the last member, so that it ends before what it works on
@@ -119,6 +135,15 @@ struct RawlogWriter::State {
     archive << odometry_of(observation.odometry);
     if (observation.scan) archive << scan_of(*observation.scan, T_base_laser);
     if (observation.frame) archive << frame_of(*observation.frame);
+    if (!for_replay) return;
+    if (observation.frame) archive << rest_of(observation.frame->frame);
+    archive << data_of(kObservation, observation.stamp, observation_message(observation));
+  }
+  void put(const std::string& label, const std::string& bytes) {
+    join();
+    writing = worker.submit([this, label, bytes, stamp = now] {
+      mrpt::serialization::archiveFrom(stream) << data_of(label, stamp, bytes);
+    });
   }
   void join() {
     if (writing.valid()) writing.get();
@@ -128,11 +153,24 @@ struct RawlogWriter::State {
 RawlogWriter::RawlogWriter(const std::filesystem::path& file, const Transform<Base, Laser>& T_base_laser, bool threaded)
     : state_(std::make_unique<State>(file, T_base_laser, threaded)) {}
 
+RawlogWriter::RawlogWriter(const std::filesystem::path& file, const RunSetup& setup, bool threaded)
+    : RawlogWriter(file, setup.model->T_base_laser, threaded) {
+  state_->for_replay = true;
+  state_->put(kSetup, setup_message({setup.seed, setup.method, setup.model->T_base_laser}));
+  for (const auto& [name, bytes] : setup.documents) state_->put(kDocuments + name, bytes);
+}
+
 RawlogWriter::~RawlogWriter() = default;
 
 void RawlogWriter::record(const robot::Observation& observation) {
   state_->join();
+  state_->now = observation.stamp;
   state_->writing = state_->worker.submit([state = state_.get(), observation] { state->write(observation); });
+}
+
+void RawlogWriter::attach(mission::Sinks& sinks) {
+  internal::tell_decisions(
+      sinks, [this](const char* topic, const char*, const std::string& message) { state_->put(topic, message); });
 }
 
 void RawlogWriter::close() {

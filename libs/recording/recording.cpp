@@ -1,6 +1,7 @@
 #include "recording/recording.hpp"
 
 #include "core/result.hpp"
+#include "recording/internal/joined.hpp"
 
 namespace amiss::recording {
 
@@ -24,7 +25,7 @@ std::optional<Entry> Recording::next() {
         parse_depth(message->data, *frame_);
       }
       if (topic == "/amiss/segmented") segmented_ = message->data;
-      if (topic == "/amiss/observation") return observation_of(message->data);
+      if (topic == "/amiss/observation") return internal::joined(message->data, scan_, frame_);
       if (topic == "/amiss/decisions") {
         const Decision decision = parse_decision(message->data);
         if (decision.kind == Decision::Kind::kSegmenting) return Segmenting{segmented_};
@@ -36,22 +37,6 @@ std::optional<Entry> Recording::next() {
     }
   }
   return std::nullopt;
-}
-
-robot::Observation Recording::observation_of(std::string_view message) {
-  robot::Observation observation = parse_observation(message);
-  if (observation.scan) {
-    if (!scan_) throw InputError("the scan of an observation is missing");
-    observation.scan->ranges_m = std::move(scan_->ranges_m);
-  }
-  if (observation.frame) {
-    if (!frame_) throw InputError("the frame of an observation is missing");
-    frame_->stamp = observation.frame->frame.stamp;
-    observation.frame->frame = std::move(*frame_);
-  }
-  scan_.reset();
-  frame_.reset();
-  return observation;
 }
 
 }  // namespace amiss::recording

@@ -98,7 +98,7 @@ class Replayer {
 
 }  // namespace
 
-ReplayReport replay(Recording& recording, const mission::Reference& reference, const mission::Params& params,
+ReplayReport replay(Source& recording, const mission::Reference& reference, const mission::Params& params,
                     knowledge::KnowledgeBase& knowledge, const mission::Sinks& sinks) {
   Replayer replayer(recording.setup(), reference, params, knowledge, sinks);
   while (auto entry = recording.next()) {

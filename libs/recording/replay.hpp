@@ -2,14 +2,14 @@
 // difference with the reference -> regions -> segments (thesis, figure 4.2 without plan and motion). Compares and
 // segments where the recorded mission did, so that a whole recording gives the regions and objects of its run.
 //
-// in: Recording, reference, parameters     out: regions and objects in the knowledge base, the voxel map; map frame
+// in: Source, reference, parameters     out: regions and objects in the knowledge base, the voxel map; map frame
 // InputError where decisions of the recording do not fit what is perceived.
 #pragma once
 
 #include "knowledge/knowledge_base.hpp"
 #include "mission/params.hpp"
 #include "mission/reference.hpp"
-#include "recording/recording.hpp"
+#include "recording/source.hpp"
 
 namespace amiss::recording {
 
@@ -20,8 +20,7 @@ struct ReplayReport {
   bool complete = false;  // the recording had its own end
 };
 
-[[nodiscard]] ReplayReport replay(Recording& recording, const mission::Reference& reference,
-                                  const mission::Params& params, knowledge::KnowledgeBase& knowledge,
-                                  const mission::Sinks& sinks);
+[[nodiscard]] ReplayReport replay(Source& recording, const mission::Reference& reference, const mission::Params& params,
+                                  knowledge::KnowledgeBase& knowledge, const mission::Sinks& sinks);
 
 }  // namespace amiss::recording

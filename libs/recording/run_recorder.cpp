@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "recording/internal/decisions.hpp"
 #include "recording/robot_messages.hpp"
 #include "recording/ros_messages.hpp"
 #include "recording/ros_schemas.hpp"
@@ -25,15 +26,6 @@ std::string jpeg_of(const RgbdFrame& frame) {
   std::vector<unsigned char> bytes;
   cv::imencode(".jpg", bgr, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
   return {bytes.begin(), bytes.end()};
-}
-
-/// Runs `before`, then `after`, for each event.
-template <class Event, class After>
-void chain(std::function<void(const Event&)>& sink, After after) {
-  sink = [before = std::move(sink), after](const Event& event) {
-    before(event);
-    after(event);
-  };
 }
 
 std::vector<Eigen::Vector3f> centres(const std::vector<mapping::Voxel>& voxels, double resolution_m) {
@@ -98,25 +90,19 @@ void RunRecorder::attach(mission::Sinks& sinks, const knowledge::KnowledgeBase& 
                          std::function<const mapping::VoxelMap&()> voxels) {
   knowledge_ = &knowledge;
   voxels_ = std::move(voxels);
-  using Kind = Decision::Kind;
-  chain<mission::StepEvent>(sinks.step, [this](const auto& e) { on_step(e); });
-  chain<mission::FrameEvent>(sinks.segmenting, [this](const auto& e) {
-    put("/amiss/segmented", "sensor_msgs/msg/Image", now_, colour_message(*e.frame));
-    put("/amiss/decisions", "amiss_msgs/msg/Decision", now_, decision_message({Kind::kSegmenting, 0}));
+  internal::tell_decisions(sinks, [this](const char* topic, const char* type, std::string message) {
+    put(topic, type, now_, std::move(message));
   });
-  chain<mission::ExaminationEvent>(sinks.examined, [this](const auto& e) {
-    put("/amiss/decisions", "amiss_msgs/msg/Decision", now_, decision_message({Kind::kExamined, e.region}));
-    write_knowledge();
-  });
-  chain<mission::DifferenceEvent>(sinks.compared, [this](const auto& e) {
-    put("/amiss/decisions", "amiss_msgs/msg/Decision", now_, decision_message({Kind::kCompared, 0}));
+  internal::chain<mission::StepEvent>(sinks.step, [this](const auto& e) { on_step(e); });
+  internal::chain<mission::ExaminationEvent>(sinks.examined, [this](const auto&) { write_knowledge(); });
+  internal::chain<mission::DifferenceEvent>(sinks.compared, [this](const auto& e) {
     put("/difference", "sensor_msgs/msg/PointCloud2", now_,
         cloud_message(now_, centres(e.difference->appeared, voxels_().resolution_m())));
   });
-  chain<mission::ProgressEvent>(sinks.progress, [this](const auto&) { write_knowledge(); });
-  chain<mission::PlanEvent>(
+  internal::chain<mission::ProgressEvent>(sinks.progress, [this](const auto&) { write_knowledge(); });
+  internal::chain<mission::PlanEvent>(
       sinks.planned, [this](const auto& e) { put("/plan", "std_msgs/msg/String", now_, text_message(e.plan_text)); });
-  chain<mission::PathEvent>(sinks.path, [this](const auto& e) {
+  internal::chain<mission::PathEvent>(sinks.path, [this](const auto& e) {
     put("/path", "nav_msgs/msg/Path", now_, path_message(now_, e.path->points_m));
   });
   sinks.log = [this, before = std::move(sinks.log)](Stamp stamp, const std::string& text) {

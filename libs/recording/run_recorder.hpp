@@ -21,20 +21,10 @@
 #include "mapping/voxel_map.hpp"
 #include "mission/sinks.hpp"
 #include "recording/mcap_writer.hpp"
-#include "robot/model.hpp"
+#include "recording/run_setup.hpp"
 #include "robot/robot.hpp"
 
 namespace amiss::recording {
-
-/// What a replay begins with.
-struct RunSetup {
-  std::uint64_t seed = 0;
-  std::string method;
-  double floor_clearance_m = 0.0;
-  const robot::Model* model = nullptr;           // outlives the recorder
-  const FloorGrid* floor = nullptr;              // of the reference; lives during the constructor
-  std::map<std::string, std::string> documents;  // by name: parameters, the world, the files of the reference
-};
 
 class RunRecorder {
  public:
@@ -61,7 +51,6 @@ class RunRecorder {
   void put(const char* topic, const char* type, Stamp stamp, std::string message);
   void record_frame(const RgbdFrame& frame);
   void on_step(const mission::StepEvent& event);
-  void on_decision(std::uint8_t kind, int region, Stamp stamp);
   void write_knowledge();
   void write_map();
   void flush();

@@ -31,7 +31,7 @@ struct Record : testing::Test {
 
 TEST_F(Record, AReplayFindsWhatTheRunFoundAndRecordingChangesNothing) {
   const Ended plain = amiss(kSearch, {"--out", "plain"});
-  const Ended recorded = amiss(kSearch, {"--out", "run", "--record", "mcap", "--threads", "1"});
+  const Ended recorded = amiss(kSearch, {"--out", "run", "--record", "both", "--threads", "1"});
   ASSERT_EQ(recorded.status, plain.status) << recorded.err;
   EXPECT_EQ(nlohmann::json::parse(recorded.out).at("digest"), nlohmann::json::parse(plain.out).at("digest"));
 
@@ -44,6 +44,19 @@ TEST_F(Record, AReplayFindsWhatTheRunFoundAndRecordingChangesNothing) {
   EXPECT_FALSE(then.objects.empty());
   EXPECT_EQ(then.objects, now.objects);
   EXPECT_EQ(sha256(folder.read("run/current.ot")), sha256(folder.read("again/current.ot")));
+
+  const Ended from_rawlog = amiss({"replay", "run/recording.rawlog", "--out", "third", "--json"});
+  ASSERT_EQ(from_rawlog.status, 0) << from_rawlog.err;
+  EXPECT_EQ(from_rawlog.out, replayed.out) << "regions and objects, digit for digit";
+  EXPECT_EQ(sha256(folder.read("run/current.ot")), sha256(folder.read("third/current.ot")));
+
+  const std::string whole = folder.read("run/recording.rawlog");
+  folder.write("cut.rawlog", std::string_view(whole).substr(0, whole.size() / 2));
+  const Ended cut = amiss({"replay", "cut.rawlog", "--json"});
+  ASSERT_EQ(cut.status, 0) << cut.err;
+  const auto report = nlohmann::json::parse(cut.out);
+  EXPECT_FALSE(report.at("complete"));
+  EXPECT_GT(report.at("frames"), 3);
 }
 
 TEST_F(Record, ARunThatWasKilledIsReplayedUpToItsLastSecond) {

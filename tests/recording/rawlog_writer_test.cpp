@@ -5,13 +5,14 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRawDAQ.h>
 #include <mrpt/obs/CRawlog.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "core/temporary_folder.hpp"
+#include "recording/small_rawlog.hpp"
 
 namespace amiss::recording {
 namespace {
@@ -80,6 +81,17 @@ TEST(RawlogWriter, FramesKeepDepthToAMillimetreAndColours) {
   EXPECT_NEAR(bgr[2], 200, 8);
 }
 
+TEST(RawlogWriter, MrptReadsWhatAReplayNeeds) {
+  const test::TemporaryFolder folder;
+  mrpt::obs::CRawlog log;
+  ASSERT_TRUE(log.loadFromRawLogFile(test::small_rawlog(folder, 2, true).string()));
+  ASSERT_EQ(log.size(), 14U);
+  const auto document = std::dynamic_pointer_cast<mrpt::obs::CObservationRawDAQ>(log.getAsObservation(1));
+  ASSERT_TRUE(document);
+  EXPECT_EQ(document->sensorLabel, "/amiss/documents/params.yaml");
+  EXPECT_EQ(std::string(document->AIN_8bits.begin(), document->AIN_8bits.end()), "a: 1\n");
+}
+
 TEST(RawlogWriter, RawlogEditReadsIt) {
   if (std::system("command -v rawlog-edit >/dev/null") != 0) GTEST_SKIP() << "rawlog-edit is not installed";
   const test::TemporaryFolder folder;
@@ -94,7 +106,7 @@ TEST(RawlogWriter, RawlogEditReadsIt) {
 }
 
 TEST(RawlogWriter, AFolderThatIsNotThereIsRefused) {
-  EXPECT_THROW(RawlogWriter("/nonexistent/a.rawlog", {}, false), std::runtime_error);
+  EXPECT_THROW(RawlogWriter("/nonexistent/a.rawlog", Transform<Base, Laser>{}, false), std::runtime_error);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#include "recording/source.hpp"
+
+#include <fstream>
+
+#include "core/result.hpp"
+#include "recording/rawlog_recording.hpp"
+#include "recording/recording.hpp"
+
+namespace amiss::recording {
+
+std::unique_ptr<Source> open_source(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) throw InputError(file.string() + ": there is no such file");
+  std::string begin(8, '\0');
+  std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin.starts_with("\x89MCAP0\r\n")) return std::make_unique<Recording>(file);
+  if (begin.starts_with("\x1f\x8b")) return std::make_unique<RawlogRecording>(file);
+  throw InputError(file.string() + ": is no MCAP file and no rawlog (its first 8 bytes are others)");
+}
+
+}  // namespace amiss::recording
