@@ -39,6 +39,7 @@ void add_replay_command(CLI::App& app, int& exit_status);
 void add_semantics_command(CLI::App& app, int& exit_status);
 void add_view_command(CLI::App& app, int& exit_status);
 void add_video_command(CLI::App& app, int& exit_status);
+void add_scene_command(CLI::App& app, int& exit_status);
 void add_worlds_command(CLI::App& app, int& exit_status);
 void add_objects_command(CLI::App& app, int& exit_status);
 void add_init_command(CLI::App& app, int& exit_status);

@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
   add_semantics_command(app, exit_status);
   add_view_command(app, exit_status);
   add_video_command(app, exit_status);
+  add_scene_command(app, exit_status);
   add_replay_command(app, exit_status);
   add_worlds_command(app, exit_status);
   add_objects_command(app, exit_status);

@@ -37,7 +37,7 @@ video::Stage make_stage(const Arguments& a, const page::Story& story) {
 
 int run(const Arguments& a) {
   catch_interrupts();
-  const page::Story story = page::read_story(page::load_timeline(a.folder));
+  const page::Story story = page::load_story(a.folder);
   if (a.from_s > story.end_s) throw ArgumentError("--from is behind the end of the run");
   video::Film film(a.out, {a.frames_per_s, a.width});
   video::Stage stage = make_stage(a, story);

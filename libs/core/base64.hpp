@@ -7,5 +7,7 @@
 namespace amiss {
 
 [[nodiscard]] std::string base64(std::string_view bytes);
+/// Up to the filling, or to what is no digit.
+[[nodiscard]] std::string from_base64(std::string_view text);
 
 }  // namespace amiss

@@ -40,6 +40,15 @@ std::vector<std::string> load_timeline(const fs::path& folder) {
   return lines;
 }
 
+Story load_story(const fs::path& folder) {
+  const std::vector<std::string> lines = load_timeline(folder);
+  try {
+    return read_story(lines);
+  } catch (const InputError& e) {
+    throw InputError((folder / e.what()).string());  // which begins with the file's name
+  }
+}
+
 std::string load_picture(const fs::path& folder, Slice slice) {
   const fs::path file = folder / Recorder::kCamera;
   std::ifstream stream(file, std::ios::binary);

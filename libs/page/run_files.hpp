@@ -9,10 +9,13 @@
 
 #include "page/events.hpp"
 #include "page/server.hpp"
+#include "page/story.hpp"
 
 namespace amiss::page {
 
 [[nodiscard]] std::vector<std::string> load_timeline(const std::filesystem::path& folder);
+/// The timeline as a story (see story.hpp).
+[[nodiscard]] Story load_story(const std::filesystem::path& folder);
 [[nodiscard]] std::string load_picture(const std::filesystem::path& folder, Slice slice);
 [[nodiscard]] std::vector<ServedFile> served_files(const std::filesystem::path& folder);
 

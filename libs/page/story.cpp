@@ -2,74 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/result.hpp"
+#include "page/internal/story_values.hpp"
 
 namespace amiss::page {
 
 namespace {
 
 using Json = nlohmann::json;
-
-std::string from_base64(const std::string& text) {
-  std::string bytes;
-  unsigned group = 0, bits = 0;
-  for (const char c : text) {
-    unsigned digit = 0;
-    if (c >= 'A' && c <= 'Z') {
-      digit = static_cast<unsigned>(c - 'A');
-    } else if (c >= 'a' && c <= 'z') {
-      digit = static_cast<unsigned>(c - 'a') + 26U;
-    } else if (c >= '0' && c <= '9') {
-      digit = static_cast<unsigned>(c - '0') + 52U;
-    } else if (c == '+' || c == '/') {
-      digit = c == '+' ? 62U : 63U;
-    } else {
-      break;  // the filling at the end
-    }
-    group = (group << 6U | digit) & 0xffffU;
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(group >> bits & 255U);
-  }
-  return bytes;
-}
-
-double number(const Json& list, std::size_t i) { return list.at(i).get<double>(); }
-
-FloorGrid floor_of(const Json& json) {
-  constexpr int kMostCells = 20000;
-  const int width = json.at("width"), height = json.at("height");
-  const double resolution_m = json.at("resolution");
-  const std::string bytes = from_base64(json.at("cells"));
-  const bool good = width >= 0 && height >= 0 && width < kMostCells && height < kMostCells && resolution_m > 0.0;
-  const std::size_t cells = good ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
-  if (!good || bytes.size() != (cells + 3) / 4) throw InputError("the floor has another size than it says");
-  FloorGrid floor(resolution_m, Eigen::Vector2d(number(json.at("origin"), 0), number(json.at("origin"), 1)), width,
-                  height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const std::size_t i = floor.index({x, y});
-      const unsigned value = static_cast<unsigned char>(bytes[i / 4]) >> (2 * (i % 4)) & 3U;
-      if (value > 2) throw InputError("a cell of the floor is neither unknown, free nor occupied");
-      floor.set({x, y}, static_cast<Occupancy>(value));
-    }
-  }
-  return floor;
-}
-
-Eigen::Isometry3d pose_of(const Json& p) {
-  const Eigen::Quaterniond turn(number(p, 6), number(p, 3), number(p, 4), number(p, 5));
-  if (!(turn.norm() > 0.9 && turn.norm() < 1.1)) throw InputError("a pose is no rigid motion");
-  return Eigen::Translation3d(number(p, 0), number(p, 1), number(p, 2)) * turn.normalized();
-}
-
-Pose2<Map, Base> pose2_of(const Json& p) { return {number(p, 0), number(p, 1), number(p, 2)}; }
-Eigen::Vector2d point_of(const Json& p) { return {number(p, 0), number(p, 1)}; }
 
 class Teller {
  public:
@@ -83,6 +26,10 @@ class Teller {
     if (kind == "objects") objects(e);
     if (kind == "bodies") bodies(e);
     if (kind == "path") path(e);
+    if (kind == "views") views(e);
+    if (kind == "voxels") story.voxels.push_back({t_, {voxels_of(e.at("on")), voxels_of(e.at("off"))}});
+    if (kind == "difference")
+      story.differences.push_back({t_, {voxels_of(e.at("appeared")), voxels_of(e.at("vanished"))}});
     if (kind == "plan") {
       const int number = e.at("number");
       note(Note::Kind::kPlan, fmt::format("plan {} of {} steps", number, e.at("steps").size()));
@@ -97,13 +44,17 @@ class Teller {
  private:
   void note(Note::Kind kind, std::string text) { story.notes.push_back({t_, {kind, std::move(text)}}); }
   void start(const Json& e) {
-    if (!e.contains("place")) throw InputError("the run does not say where it took place: an earlier amiss made it");
+    if (!e.contains("place")) throw InputError("does not say where the run took place, since an earlier amiss made it; a newer run is needed");
     story.world = e.at("world");
     story.method = e.at("method");
     story.seed = e.at("seed");
     const Json& place = e["place"];
     story.place = {place.at("world"), place.at("robot"), {pose_of(place.at("T_world_map"))}};
     story.floor = floor_of(e.at("floor"));
+    story.resolution_m = e.at("resolution");
+    if (!(story.resolution_m > 0.0)) throw InputError("the resolution of the voxels has to be above 0");
+    story.reference = voxels_of(e.at("reference"));
+    story.robot = robot_of(e.at("robot"));
   }
   void pose(const Json& e) {
     story.poses.push_back(
@@ -114,7 +65,8 @@ class Teller {
     std::vector<StoryRegion> list;
     for (const Json& r : e.at("list")) {
       const std::string state = r.at("state");
-      list.push_back({r.at("id"), point_of(r.at("p")), r.at("radius"), state == "examined", state == "withdrawn"});
+      list.push_back({r.at("id"), point_of(r.at("p")), r.at("radius"), state == "examined", state == "withdrawn",
+                      number(r.at("z"), 0), number(r.at("z"), 1)});
       if (known_.insert(list.back().id).second)
         note(Note::Kind::kDetected, fmt::format("region {} detected", list.back().id));
     }
@@ -123,8 +75,7 @@ class Teller {
   void objects(const Json& e) {
     std::vector<StoryObject> list;
     for (const Json& o : e.at("list")) {
-      const Json& p = o.at("p");
-      list.push_back({o.at("name"), {Eigen::Vector3d(number(p, 0), number(p, 1), number(p, 2))}, o.at("found")});
+      list.push_back({o.at("name"), {vector_of(o.at("p"))}, o.at("found")});
       if (list.back().found && found_.insert(list.back().name).second)
         note(Note::Kind::kFound, "found " + list.back().name);
     }
@@ -145,6 +96,19 @@ class Teller {
     const int region = e.at("region");
     const std::string what = region == 0 ? "picture segmented" : fmt::format("region {} examined", region);
     note(Note::Kind::kExamined, fmt::format("{}: {} segments", what, e.at("segments").size()));
+    std::vector<StorySegment> list;
+    for (const Json& s : e.at("segments"))
+      list.push_back({{vector_of(s.at("p"))}, vector_of(s.at("size")), s.at("yaw")});
+    story.segments.push_back({t_, std::move(list)});
+  }
+  void views(const Json& e) {
+    std::vector<StoryView> list;
+    for (const Json& v : e.at("list")) {
+      const std::string state = v.at("state");
+      list.push_back(
+          {v.at("id"), pose2_of(v.at("p")), v.at("angle"), v.at("height"), state == "visited", state == "dropped"});
+    }
+    story.views.push_back({t_, std::move(list)});
   }
 
   double t_ = 0.0;
@@ -167,6 +131,30 @@ Story read_story(const std::vector<std::string>& lines) {
   }
   if (teller.story.poses.empty()) throw InputError("timeline.jsonl: the robot did nothing in this run");
   return std::move(teller.story);
+}
+
+std::vector<mapping::Voxel> voxels_at(const Story& story, double t_s) {
+  std::set<mapping::Voxel> occupied;
+  for (const auto& [t, change] : story.voxels) {
+    if (t > t_s) break;
+    occupied.insert(change.on.begin(), change.on.end());
+    for (const mapping::Voxel& v : change.off) occupied.erase(v);
+  }
+  return {occupied.begin(), occupied.end()};
+}
+
+std::vector<StoryRobot::Shape> shapes_at(const StoryRobot& robot, const robot::HeadState& head) {
+  const auto turn = [](const StoryRobot::Axis& axis, double angle_rad) -> Eigen::Isometry3d {
+    return Eigen::Translation3d(axis.point) * Eigen::AngleAxisd(angle_rad, axis.direction) *
+           Eigen::Translation3d(-axis.point);
+  };
+  const Eigen::Isometry3d pan = turn(robot.pan, head.pan_rad), tilt = pan * turn(robot.tilt, head.tilt_rad);
+  std::vector<StoryRobot::Shape> shapes = robot.shapes;
+  for (StoryRobot::Shape& shape : shapes) {
+    if (shape.part == StoryRobot::Part::kPan) shape.T_base_shape = pan * shape.T_base_shape;
+    if (shape.part == StoryRobot::Part::kTilt) shape.T_base_shape = tilt * shape.T_base_shape;
+  }
+  return shapes;
 }
 
 StoryPose pose_at(const Story& story, double t_s) {

@@ -63,6 +63,18 @@ void expect_film(const std::filesystem::path& folder, const std::string& run) {
   EXPECT_EQ(probed, "320,180,1.200000") << "20 s and both ends, 20 times as fast";
 }
 
+/// A scene needs the run folder alone.
+void expect_scene(const std::filesystem::path& folder, const std::string& run) {
+  const Ended made = test::run({"scene", run, "--out", "end.3Dscene", "--at", "15"}, folder);
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(made.out, "end.3Dscene\n");
+  EXPECT_GT(std::filesystem::file_size(folder / "end.3Dscene"), 10'000U);
+  const Ended late = test::run({"scene", run, "--out", "late.3Dscene", "--at", "99"}, folder);
+  EXPECT_EQ(late.status, 2);
+  EXPECT_NE(late.err.find("--at is behind the end"), std::string::npos) << late.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "late.3Dscene"));
+}
+
 TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
   const test::TemporaryFolder folder;
   const Ended alone = test::run(with(kRun, {"--out", "alone"}), folder.path());
@@ -104,6 +116,7 @@ TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
   view.send(SIGINT);
   EXPECT_EQ(view.wait().status, 0);
   expect_film(folder.path(), "alone");
+  expect_scene(folder.path(), "alone");
 }
 
 TEST(Watch, RefusesWhatItCannotShow) {
@@ -114,7 +127,17 @@ TEST(Watch, RefusesWhatItCannotShow) {
   const Ended film = test::run({"video", "nowhere", "--out", "film.mp4"}, folder.path());
   EXPECT_EQ(film.status, 3);
   EXPECT_NE(film.err.find("timeline.jsonl: is not there"), std::string::npos);
+  const Ended scene = test::run({"scene", "nowhere", "--out", "a.3Dscene"}, folder.path());
+  EXPECT_EQ(scene.status, 3);
+  EXPECT_NE(scene.err.find("timeline.jsonl: is not there"), std::string::npos);
+  EXPECT_EQ(test::run({"scene", "nowhere", "--out", "a.ply"}, folder.path()).status, 2);
   folder.write("timeline.jsonl", "{\"e\":\"start\",\"t\":0,\"schema\":1}\n");
+  for (const char* command : {"video", "scene"}) {
+    const Ended old =
+        test::run({command, ".", "--out", command == std::string("video") ? "a.mp4" : "a.3Dscene"}, folder.path());
+    EXPECT_EQ(old.status, 3);
+    EXPECT_NE(old.err.find("timeline.jsonl:1: does not say where the run took place"), std::string::npos) << old.err;
+  }
   const Ended open = test::run({"view", ".", "--address", "0.0.0.0"}, folder.path());
   EXPECT_EQ(open.status, 2);
   EXPECT_NE(open.err.find("--token"), std::string::npos);

@@ -18,6 +18,8 @@ TEST(Base64, IsThatOfRfc4648) {
                                                                  {"foobar", "Zm9vYmFy"},
                                                                  {std::string("\xff\xfe\x00", 3), "//4A"}};
   for (const auto& [bytes, text] : vectors) EXPECT_EQ(base64(bytes), text);
+  for (const auto& [bytes, text] : vectors) EXPECT_EQ(from_base64(text), bytes);
+  EXPECT_EQ(from_base64("Zm9v\nYmFy"), "foo") << "up to what is no digit";
 }
 
 }  // namespace

@@ -42,6 +42,14 @@ TEST(RunFiles, SayWhatIsWrong) {
   EXPECT_NE(sentence().find("beginning of a run"), std::string::npos);
 }
 
+TEST(RunFiles, AStoryNamesTheFileThatIsNone) {
+  test::TemporaryFolder folder;
+  folder.write("timeline.jsonl", "{\"e\":\"start\",\"t\":0,\"schema\":1}\n");
+  const std::string said = test::sentence_of<InputError>([&] { (void)load_story(folder.path()); });
+  EXPECT_EQ(said.find((folder.path() / "timeline.jsonl:1: ").string()), 0U) << said;
+  EXPECT_NE(said.find("a newer run is needed"), std::string::npos) << said;
+}
+
 TEST(RunFiles, ServeNothingButWhatIsNamed) {
   const auto files = served_files("run");
   EXPECT_EQ(files.size(), 5U);

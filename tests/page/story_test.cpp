@@ -48,6 +48,51 @@ TEST_F(StoryOf, TellsWhatWasRecorded) {
   EXPECT_EQ(story.notes[1].value.text, "found mug");
 }
 
+TEST_F(StoryOf, KeepsWhatTheMapHeldAndWhatWasDecided) {
+  run.current.set({3, 4, 5}, Occupancy::kOccupied);
+  run.current.set({-3, -4, 0}, Occupancy::kOccupied);
+  const knowledge::Sighting seen{{1.0, 2.0, 0.1}, {{1.0, 2.0}, 0.25, 0.05, 0.3}, 9};
+  run.during = [&](mission::Sinks& sinks, int i) {
+    if (i == 60) run.current.set({3, 4, 5}, Occupancy::kFree);
+    if (i == 60) run.knowledge.merge({seen}, {}, run.now);
+    if (i == 60) run.knowledge.add_views({{0, {0.5, 0.5, 1.0}, 1.0, 2.0, false, std::nullopt}});
+    const change::Difference difference{{{7, 8, 1}}, {{1, 2, 3}}, 0};
+    if (i == 60) sinks.compared({run.now, 0.0, &difference});
+    std::vector<segment::Segment> segments(1);
+    segments[0].size_m = {0.1, 0.2, 0.3};
+    if (i == 60) sinks.examined({1, run.now, &run.frame, {}, &segments, 0.0, {}});
+  };
+  const Story story = told(2.2);
+  EXPECT_EQ(story.reference, (std::vector<mapping::Voxel>{{1, 2, 3}})) << "the floor is left out";
+  EXPECT_DOUBLE_EQ(story.resolution_m, run.reference.resolution_m());
+  EXPECT_EQ(voxels_at(story, 0.9), (std::vector<mapping::Voxel>{{-3, -4, 0}, {3, 4, 5}}));
+  EXPECT_EQ(voxels_at(story, 2.2), (std::vector<mapping::Voxel>{{-3, -4, 0}}));
+  ASSERT_EQ(story.differences.size(), 1U);
+  EXPECT_EQ(story.differences[0].value.appeared, (std::vector<mapping::Voxel>{{7, 8, 1}}));
+  EXPECT_EQ(story.differences[0].value.vanished, (std::vector<mapping::Voxel>{{1, 2, 3}}));
+  ASSERT_NE(latest(story.regions, 2.2), nullptr);
+  EXPECT_DOUBLE_EQ(latest(story.regions, 2.2)->front().z_high_m, 0.3);
+  ASSERT_NE(latest(story.views, 2.2), nullptr);
+  EXPECT_DOUBLE_EQ(latest(story.views, 2.2)->front().height_m, 2.0);
+  ASSERT_EQ(story.segments.size(), 1U);
+  EXPECT_EQ(story.segments[0].value[0].size_m, Eigen::Vector3d(0.1, 0.2, 0.3));
+}
+
+TEST_F(StoryOf, TurnsTheRobotsHeadAsItsModelDoes) {
+  const Story story = told(1.0);
+  const robot::HeadState head{0.4, -0.5};
+  const auto links = run.model.link_poses({{run.model.pan_joint, head.pan_rad}, {run.model.tilt_joint, head.tilt_rad}});
+  std::vector<Eigen::Vector3d> expected;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const robot::LinkShape& shape : run.model.links[i].visuals)
+      expected.emplace_back((links[i] * shape.T_link_shape).translation());
+  }
+  const auto shapes = shapes_at(story.robot, head);
+  ASSERT_EQ(shapes.size(), expected.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    EXPECT_LT((shapes[i].T_base_shape.translation() - expected[i]).norm(), 1e-3) << i;
+}
+
 TEST_F(StoryOf, PosesLieBetweenThoseThatWereTold) {
   const Story story = told(2.0);
   EXPECT_NEAR(pose_at(story, 1.1).believed.x_m, 0.55, 1e-9);  // 0.5 at 1.0 s, 0.6 at 1.2 s
@@ -70,6 +115,9 @@ TEST_F(StoryOf, RefusesWhatIsNoRun) {
       },
       InputError);
   EXPECT_THROW((void)read_story({R"({"e":"start","t":0,"schema":1})"}), InputError) << "no place";
+  lines = history.lines();
+  lines.insert(lines.end() - 1, R"({"e":"voxels","t":0.5,"on":"AAAA","off":""})");
+  EXPECT_THROW((void)read_story(lines), InputError) << "three bytes are no voxel";
   EXPECT_THROW((void)read_story({}), InputError);
 }
 
