@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 
 #include "core/base64.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 2> kPictureKeys{"colour", "picture"};
+constexpr std::array kPictureKeys{"colour", "depth", "picture"};
 
 std::vector<Json> parsed(const std::vector<std::string>& lines) {
   std::vector<Json> events;
@@ -54,19 +55,32 @@ std::vector<Json> thinned(const std::vector<const Json*>& poses) {
   return kept;
 }
 
+/// The last one, and from there back each `step`-th.
+std::vector<Json> every(const std::vector<const Json*>& events, std::size_t step) {
+  std::vector<Json> kept;
+  for (std::size_t i = (events.size() - 1) % step; i < events.size(); i += step) kept.push_back(*events[i]);
+  return kept;
+}
+
+/// The smallest step that leaves no more than kMostOfAKind, or the last one alone.
+std::size_t step_that_fits(const std::vector<std::size_t>& bytes) {
+  for (std::size_t step = 2; step < bytes.size(); ++step) {
+    std::size_t sum = 0;
+    for (std::size_t i = (bytes.size() - 1) % step; i < bytes.size(); i += step) sum += bytes[i];
+    if (sum <= kMostOfAKind) return step;
+  }
+  return bytes.size();
+}
+
 std::vector<Json> shortened(const std::string& kind, const std::vector<const Json*>& events) {
   if (kind == "pose") return thinned(events);
-  if (kind == "frame") return {*events.back()};
-  std::size_t bytes = 0;
-  for (const Json* event : events) bytes += event->dump().size();
+  if (kind == "frame") return every(events, (events.size() + kMostFrames - 1) / kMostFrames);
+  std::vector<std::size_t> bytes;
+  for (const Json* event : events) bytes.push_back(event->dump().size());
   const bool once = kind == "start" || kind == "end" || kind == "examined";
-  if (once || bytes <= kMostOfAKind) {
-    std::vector<Json> all;
-    for (const Json* event : events) all.push_back(*event);
-    return all;
-  }
-  if (kind == "voxels") return {merged_voxels(events)};
-  return {*events.back()};
+  const std::size_t sum = std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
+  if (kind == "voxels" && sum > kMostOfAKind) return {merged_voxels(events)};
+  return every(events, once || sum <= kMostOfAKind ? 1 : step_that_fits(bytes));
 }
 
 std::vector<Json> shortened(const std::vector<Json>& events) {
@@ -84,23 +98,47 @@ std::vector<Json> shortened(const std::vector<Json>& events) {
   return kept;
 }
 
-/// Data addresses by where a picture begins in camera.bin.
-Json pictures_of(const std::vector<Json>& events, const std::function<std::string(Slice)>& picture) {
+/// What a page shows of an event, as slices of camera.bin.
+std::vector<Slice> slices_of(const Json& event) {
+  std::vector<Slice> slices;
+  if (event["e"] != "frame" && event["e"] != "examined") return slices;
+  for (const char* key : kPictureKeys) {
+    if (!event.contains(key)) continue;
+    slices.push_back({event[key].at(0).get<std::size_t>(), event[key].at(1).get<std::size_t>()});
+  }
+  return slices;
+}
+
+/// Indices of what has pictures, what is wanted most first: the last frame, examinations, frames from the end on.
+std::vector<std::size_t> by_worth(const std::vector<Json>& events) {
+  std::vector<std::size_t> frames, order;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (events[i]["e"] == "frame") frames.push_back(i);
+    if (events[i]["e"] == "examined") order.push_back(i);
+  }
+  if (!frames.empty()) order.insert(order.begin(), frames.back());
+  if (!frames.empty()) order.insert(order.end(), frames.rbegin() + 1, frames.rend());
+  return order;
+}
+
+/// Data addresses by where a picture begins in camera.bin, as many as there is room for. A frame without is forgotten.
+Json pictures_of(std::vector<Json>& events, const std::function<std::string(Slice)>& picture) {
   Json pictures = Json::object();
   std::size_t room = kMostPictures;
-  const auto add = [&](const Json& slice) {
-    const Slice wanted{slice.at(0).get<std::size_t>(), slice.at(1).get<std::size_t>()};
-    if (wanted.bytes == 0 || wanted.bytes > room) return;
-    room -= wanted.bytes;
-    pictures[std::to_string(wanted.begin)] = "data:image/jpeg;base64," + base64(picture(wanted));
-  };
-  for (const Json& event : events) {
-    if (event["e"] == "frame") add(event["depth"]);
-    for (const std::string_view key : kPictureKeys) {
-      const bool has = (event["e"] == "frame" || event["e"] == "examined") && event.contains(key);
-      if (has) add(event[std::string(key)]);
+  std::set<std::size_t> without;
+  for (const std::size_t i : by_worth(events)) {
+    std::size_t bytes = 0;
+    for (const Slice slice : slices_of(events[i])) bytes += slice.bytes;
+    if (bytes == 0 || bytes > room) {
+      if (events[i]["e"] == "frame") without.insert(i);
+      continue;
+    }
+    room -= bytes;
+    for (const Slice slice : slices_of(events[i])) {
+      pictures[std::to_string(slice.begin)] = "data:image/jpeg;base64," + base64(picture(slice));
     }
   }
+  for (auto i = without.rbegin(); i != without.rend(); ++i) events.erase(events.begin() + static_cast<std::ptrdiff_t>(*i));
   return pictures;
 }
 
@@ -130,10 +168,10 @@ constexpr std::string_view kContentPolicy =
 }  // namespace
 
 std::string to_html(const ReportPage& page) {
-  const std::vector<Json> events = shortened(parsed(page.lines));
+  std::vector<Json> events = shortened(parsed(page.lines));
   Json run;
-  run["events"] = events;
   run["pictures"] = pictures_of(events, page.picture);
+  run["events"] = std::move(events);
   run["texts"] = page.texts;
   run["texts"]["licences.txt"] = bundled("/licences.txt");
 

@@ -1,8 +1,9 @@
 // report.html: the page with a run inside, one file that opens without a server and without a network.
 // Lines of a timeline, its pictures, texts by name -> HTML. So that it stays small it holds the run's end and no more
-// of the way there than fits: poses thinned to kMostPoses, events of a kind that takes more than kMostOfAKind bytes by
-// their last one (the voxels of the map by what is occupied at the end), pictures of examinations and the last frame
-// up to kMostPictures bytes. InputError for lines that are no timeline.
+// of the way there than fits: poses thinned to kMostPoses, events of a kind that takes more than kMostOfAKind bytes to
+// what fits, evenly over time and the last one always (the voxels of the map to what is occupied at the end), pictures
+// up to kMostPictures bytes: the last frame, examinations, kMostFrames over the run. InputError for lines that are no
+// timeline.
 #pragma once
 
 #include <functional>
@@ -15,6 +16,7 @@
 namespace amiss::page {
 
 inline constexpr std::size_t kMostPoses = 1500, kMostOfAKind = 250'000, kMostPictures = 700'000;
+inline constexpr std::size_t kMostFrames = 24;
 
 struct ReportPage {
   std::vector<std::string> lines;             // of timeline.jsonl

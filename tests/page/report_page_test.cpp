@@ -23,6 +23,14 @@ json run_in(const std::string& html) {
   return json::parse(text);
 }
 
+std::vector<json> frames_in(const json& run) {
+  std::vector<json> frames;
+  for (const json& event : run["events"]) {
+    if (event["e"] == "frame") frames.push_back(event);
+  }
+  return frames;
+}
+
 ReportPage page_of(const std::vector<std::string>& lines, const std::filesystem::path& folder) {
   return {
       lines, [folder](Slice slice) { return load_picture(folder, slice); }, {{"params.yaml", "a: 1 # </script>\n"}}};
@@ -37,12 +45,57 @@ TEST(ReportPage, HoldsTheRunAndNeedsNothingElse) {
   EXPECT_EQ(run["events"].front()["e"], "start");
   EXPECT_EQ(run["events"].back()["e"], "end");
   EXPECT_EQ(run["texts"]["params.yaml"], "a: 1 # </script>\n");
-  EXPECT_EQ(run["pictures"].size(), 2U) << "colour and depth of the last frame";
+  EXPECT_EQ(run["pictures"].size(), 2 * frames_in(run).size()) << "colour and depth of each frame";
   EXPECT_EQ(run["pictures"].begin()->get<std::string>().rfind("data:image/jpeg;base64,/9j", 0), 0U);
   EXPECT_EQ(html.find("/app.js\""), std::string::npos);
   EXPECT_EQ(html.find("/app.css\""), std::string::npos);
   EXPECT_NE(html.find(bundled("/app.js")), std::string::npos);
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(ReportPage, ShowsTheCameraAllAlongTheRun) {
+  test::TemporaryFolder folder;
+  History history;
+  test::SmallRun().record(folder.path(), history, 200.0);
+  const json run = run_in(to_html(page_of(history.lines(), folder.path())));
+  const std::vector<json> frames = frames_in(run);
+  ASSERT_GT(frames.size(), kMostFrames / 2);
+  EXPECT_LE(frames.size(), kMostFrames);
+  EXPECT_LT(frames.front()["t"].get<double>(), 10.0);
+  EXPECT_GT(frames.back()["t"].get<double>(), 198.0);
+  for (const json& frame : frames) {
+    for (const char* key : {"colour", "depth"}) {
+      EXPECT_TRUE(run["pictures"].contains(std::to_string(frame[key].at(0).get<std::size_t>()))) << frame;
+    }
+  }
+}
+
+/// Differences of 40 kB each: more than there is room for.
+TEST(ReportPage, KeepsOfManyWhatFitsEvenlyAndTheLast) {
+  std::vector<std::string> lines;
+  for (int i = 0; i < 100; ++i) {
+    lines.push_back(json{{"e", "difference"}, {"t", i}, {"appeared", std::string(40'000, 'A')}}.dump());
+  }
+  const json run = run_in(to_html({lines, {}, {}}));
+  ASSERT_GE(run["events"].size(), 5U);
+  EXPECT_LE(run["events"].dump().size(), kMostOfAKind + 100);
+  EXPECT_EQ(run["events"].back()["t"], 99);
+  EXPECT_LT(run["events"].front()["t"], 25);
+}
+
+/// Pictures of 90 kB: the last frame and the examination come first, and no frame stays that could not be shown.
+TEST(ReportPage, TheLastPicturesAndExaminationsComeFirst) {
+  std::vector<std::string> lines;
+  for (int i = 0; i < 20; ++i) {
+    const json colour{200'000 * i, 45'000}, depth{200'000 * i + 100'000, 45'000};
+    lines.push_back(json{{"e", "frame"}, {"t", i}, {"colour", colour}, {"depth", depth}}.dump());
+  }
+  lines.insert(lines.begin() + 1, json{{"e", "examined"}, {"t", 0.5}, {"picture", {7, 90'000}}}.dump());
+  const json run = run_in(to_html({lines, [](Slice slice) { return std::string(slice.bytes, 'x'); }, {}}));
+  EXPECT_TRUE(run["pictures"].contains("7"));
+  EXPECT_TRUE(run["pictures"].contains("3800000"));
+  EXPECT_EQ(frames_in(run).size(), 6U);
+  EXPECT_EQ(run["pictures"].size(), 13U);
 }
 
 TEST(ReportPage, NoTextOfARunCanEndItsElement) {

@@ -1,4 +1,5 @@
 // Small helpers to make elements; text is always set as text, never as markup.
+import { inkOn } from './look.js';
 
 export function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
@@ -23,6 +24,7 @@ export function svg(tag, attributes = {}, ...children) {
 export function badge(look) {
   const element = make('b', { class: 'badge', title: look.meaning }, look.letter);
   element.style.background = look.colour;
+  element.style.color = inkOn(look.colour);
   return element;
 }
 

@@ -1,16 +1,12 @@
 // The floor plan as a picture on the ground: cells of the reference's grid, two bits each.
 import * as THREE from 'three';
-import { bytesOf } from './store.js';
+import { FREE, OCCUPIED, cellsOf } from './store.js';
 import { themed } from './look.js';
-
-const FREE = 1;
-const OCCUPIED = 2;
 
 export class Floor {
   constructor(floor) {
     this.floor = floor;
-    const packed = bytesOf(floor.cells);
-    this.cells = Uint8Array.from({ length: floor.width * floor.height }, (_, i) => (packed[i >> 2] >> (2 * (i & 3))) & 3);
+    this.cells = cellsOf(floor);
     this.canvas = document.createElement('canvas');
     this.canvas.width = floor.width;
     this.canvas.height = floor.height;
@@ -21,6 +17,7 @@ export class Floor {
     const height = floor.height * floor.resolution;
     this.object = new THREE.Mesh(new THREE.PlaneGeometry(width, height), new THREE.MeshBasicMaterial({ map: this.texture, transparent: true }));
     this.object.position.set(floor.origin[0] + width / 2, floor.origin[1] + height / 2, -0.01);
+    this.object.renderOrder = -1; // what lies on it is drawn over it
     this.paint();
   }
 

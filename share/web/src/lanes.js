@@ -18,17 +18,29 @@ export const faults = (store) => [
   ...store.all('log').map((e) => ({ t: e.t, text: e.text })),
 ];
 
-const LANE = 13;
+const LANE = 14;
+const NEAR = 6; // pixels within which a mark is meant
 const NAMES = 62; // pixels for the names at the left; the slider begins there, too
 
 export class Lanes {
-  constructor(host) {
+  constructor(host, seek) {
     this.host = host;
+    const go = (event) => {
+      if (event.buttons !== 1) return;
+      const box = host.getBoundingClientRect();
+      seek(this.instant(event.clientX - box.left, event.clientY - box.top));
+    };
+    host.addEventListener('pointerdown', (event) => {
+      host.setPointerCapture(event.pointerId);
+      go(event);
+    });
+    host.addEventListener('pointermove', go);
     this.key = '';
     this.cursor = svg('line', { class: 'cursor', y1: 0 });
   }
 
   update(store, time) {
+    this.store = store;
     const width = this.host.clientWidth;
     const key = `${width} ${Math.ceil(store.end)} ${LANES.map((lane) => lane.marks(store).length)}`;
     if (key !== this.key) {
@@ -40,10 +52,19 @@ export class Lanes {
     this.cursor.setAttribute('x2', x);
   }
 
+  /** When that is [s] of a point of the picture [pixels]: of the mark that is near, else of the place. */
+  instant(x, y) {
+    const width = this.host.clientWidth;
+    const lane = this.lanes?.[Math.floor(y / LANE)];
+    const near = (lane?.marks(this.store) ?? []).map(([t]) => [Math.abs(this.x(t, this.store.end, width) - x), t]).sort((a, b) => a[0] - b[0])[0];
+    if (near && near[0] < NEAR) return near[1];
+    return (this.store.end * (x - NAMES)) / Math.max(1, width - NAMES - 8);
+  }
+
   x(time, end, width) { return NAMES + (width - NAMES - 8) * (end > 0 ? time / end : 0); }
 
   paint(store, width) {
-    const lanes = LANES.filter((lane) => !lane.optional || lane.marks(store).length > 0);
+    const lanes = (this.lanes = LANES.filter((lane) => !lane.optional || lane.marks(store).length > 0));
     const height = LANE * lanes.length;
     this.cursor.setAttribute('y2', height);
     const drawing = svg('svg', { width, height, viewBox: `0 0 ${width} ${height}` });

@@ -3,8 +3,8 @@ import * as THREE from 'three';
 import { Floor } from './floor.js';
 import { Robot } from './robot.js';
 import { Voxels } from './voxels.js';
-import { box, cylinder, dispose, handle, letterAt, lineThrough, ribbonThrough, triangle } from './marks.js';
-import { OBJECT, PALETTE, REGION, SEGMENT, VIEW, objectLook, themed } from './look.js';
+import { box, cylinder, dispose, handle, letterAt, plateAt, ribbonThrough, triangle } from './marks.js';
+import { FAULT, OBJECT, PALETTE, REGION, SEGMENT, VIEW, objectLook, themed } from './look.js';
 
 /** Name, what it is called, colour of its sign, shown at first. */
 export const LAYERS = [
@@ -17,6 +17,7 @@ export const LAYERS = [
   ['trail', 'driven', PALETTE.blue, true],
   ['regions', 'regions', REGION.open.colour, true],
   ['objects', 'objects', OBJECT.found.colour, true],
+  ['touches', 'touches', FAULT.colour, true],
   ['robot', 'robot', PALETTE.purple, true],
 ];
 
@@ -28,7 +29,7 @@ export class Layers {
       world.add((this.groups[name] = new THREE.Group()));
       this.groups[name].visible = on;
     }
-    this.reference = new Voxels({ opacity: 0.3, order: 1, front: -1 });
+    this.reference = new Voxels({ opacity: 0.4, order: 1, front: -1 });
     this.current = new Voxels({});
     this.appeared = new Voxels({ low: PALETTE.orange, front: 1 });
     this.vanished = new Voxels({ low: PALETTE.blue, opacity: 0.85, order: 2, front: 1 });
@@ -79,7 +80,10 @@ export class Layers {
     });
     this.group('path', `${state.path?.t} ${state.plan?.t} ${state.step?.t}`, true, (add) => this.addPlan(state, add));
     this.group('trail', state.trail?.length, state.trail, (add) => {
-      if (state.trail.length > 1) add(lineThrough(state.trail, 0.045, themed('trail')));
+      if (state.trail.length > 1) add(ribbonThrough(state.trail, 0.045, 0.03, themed('trail'), 0.85));
+    });
+    this.group('touches', state.touches.length, true, (add) => {
+      for (const touch of state.touches) add(letterAt(FAULT, touch.p, 0.026));
     });
     const chosen = state.chosen;
     this.group('regions', `${state.regions?.t} ${chosen?.kind === 'region' && chosen.id}`, state.regions, (add) => this.addRegions(state, add));
@@ -102,8 +106,8 @@ export class Layers {
     if (state.path && state.path.points.length > 1) add(ribbonThrough(state.path.points, 0.04, 0.05, themed('way'), 0.9));
     const from = state.step && state.plan && state.step.t >= state.plan.t ? state.step.step : 0;
     const visits = (state.plan?.steps ?? []).slice(from).filter((step) => step.action === 'goto');
-    if (visits.length) add(lineThrough(visits.map((step) => step.p), 0.05, themed('way'), 0.55));
-    visits.forEach((step, i) => add(letterAt({ letter: String(i + 1), colour: '#6b5b00' }, [step.p[0], step.p[1], 0.06], 0.022)));
+    if (visits.length) add(ribbonThrough(visits.map((step) => step.p), 0.04, 0.02, themed('way'), 0.55));
+    visits.forEach((step, i) => add(letterAt({ letter: String(i + 1), colour: '#f0e442' }, [step.p[0], step.p[1], 0.06], 0.022)));
   }
 
   addRegions(state, add) {
@@ -126,6 +130,7 @@ export class Layers {
       const stem = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute([x, y, z, x, y, top], 3));
       add(new THREE.Line(stem, new THREE.LineBasicMaterial({ color: look.colour })));
       add(letterAt(look, [x, y, top], chosen ? 0.056 : 0.042, [0.5, 0.1]));
+      if (chosen) add(plateAt(object.name, [x, y, top]));
       add(handle([x, y, top], 0.2, { kind: 'object', id: object.name }));
     }
   }

@@ -30,5 +30,12 @@ export const FAILS = { letter: '✗', colour: PALETTE.vermillion, meaning: 'does
 
 export const objectLook = (object) => (object.found ? OBJECT.found : OBJECT.missing);
 
+/** Black or white, whichever is read better on a colour (contrast of WCAG 2). */
+export function inkOn(colour) {
+  const linear = [1, 3, 5].map((i) => (parseInt(colour.slice(i, i + 2), 16) / 255 + 0.055) / 1.055).map((v) => v ** 2.4);
+  const brightness = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+  return 1.05 / (brightness + 0.05) > (brightness + 0.05) / 0.05 ? '#ffffff' : '#0b0f14';
+}
+
 /** A colour of the style sheet, for what the style sheet does not reach. */
 export const themed = (name) => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();

@@ -4,11 +4,14 @@ import { Store } from './store.js';
 import { openSource } from './source.js';
 import { Tables } from './tables.js';
 import { Lanes } from './lanes.js';
-import { objectDetail, regionDetail } from './detail.js';
+import { Drawer } from './drawer.js';
+import { listenToKeys } from './keys.js';
 import { make } from './dom.js';
 
 const $ = (id) => document.getElementById(id);
 const TABLES_EVERY = 200; // ms between two updates of what is no picture
+const CUT = 1.5; // m: the maps are shown to this height at first
+const HIGHEST = 2.6; // m: and from here on whole
 
 class App {
   constructor() {
@@ -22,7 +25,8 @@ class App {
     document.body.classList.toggle('still', this.source.still);
     this.scene = new Scene($('scene'), (what) => this.choose(what));
     this.tables = new Tables($('tables'), this, this.source.still);
-    this.lanes = new Lanes($('lanes'));
+    this.lanes = new Lanes($('lanes'), (time) => this.seek(time));
+    this.drawer = new Drawer($('detail'), this);
     this.listen();
     this.source.start((events) => this.add(events), () => this.closed());
   }
@@ -66,8 +70,10 @@ class App {
       pose: store.poseAt(time),
       trail: trail.filter((_, i) => i % thin === 0).map((e) => e.p),
       examined: store.until('examined', time),
+      touches: store.until('collision', time),
       voxelChanges: store.until('voxels', time).length,
       voxels: () => store.voxels.at(time),
+      voxelCount: () => store.voxels.at(time).length / 3,
       report: time >= store.end - 1e-6 ? this.ended : undefined,
       ended: Boolean(this.ended),
     };
@@ -102,7 +108,7 @@ class App {
     if (now - (this.tablesAt ?? -1e9) >= TABLES_EVERY || !this.playing && !this.live) {
       this.tablesAt = now;
       this.tables.update(state);
-      this.paintDetail(state);
+      this.drawer.update(state);
       this.paintFigures(state);
       this.paintStatus();
     } else {
@@ -125,7 +131,7 @@ class App {
       [`${list.filter((o) => o.found).length} of ${list.length}`, 'found'],
       [`${(state.progress?.seen_m2 ?? 0).toFixed(0)} m²`, 'seen'],
       [String((state.regions?.list ?? []).filter((r) => r.state !== 'withdrawn').length), 'regions'],
-      [String(this.store.until('collision', this.time).length), 'touches'],
+      [String(state.touches.length), 'touches'],
     ];
     const text = JSON.stringify(figures);
     if (text === this.figures) return;
@@ -154,6 +160,7 @@ class App {
   }
 
   async paintCamera({ frame }) {
+    $('camera').classList.toggle('none', !frame);
     if (!frame || this.loading || this.frame === frame) return;
     this.loading = true;
     const [colour, depth] = await Promise.all([this.source.picture(frame.colour), this.source.picture(frame.depth)]);
@@ -165,26 +172,13 @@ class App {
       $('depth').src = depth;
       $('colour').alt = `camera at ${frame.t.toFixed(1)} s`;
       $('depth').alt = `depth at ${frame.t.toFixed(1)} s`;
+      $('taken').textContent = `colour, ${frame.t.toFixed(1)} s`;
     }
     this.refresh(); // there may be a newer one
   }
 
-  paintDetail(state) {
-    const list = { object: state.objects, region: state.regions }[this.chosen?.kind]?.list ?? [];
-    const thing = list.find((one) => (one.name ?? one.id) === this.chosen.id);
-    const key = thing ? JSON.stringify([thing, state.ended]) : '';
-    if (key === this.detailed) return;
-    this.detailed = key;
-    $('detail').hidden = !thing;
-    if (!thing) return;
-    const parts = this.chosen.kind === 'object' ? objectDetail(thing, state, this.source) : regionDetail(thing, state, this.source);
-    const close = make('button', { type: 'button', class: 'close', 'aria-label': 'Close', onclick: () => this.choose(null) }, '×');
-    $('detail').replaceChildren(close, ...parts);
-  }
-
   choose(what) {
     this.chosen = what ?? null;
-    this.detailed = undefined;
     this.tablesAt = undefined;
     if (what) {
       const state = this.state();
@@ -244,6 +238,7 @@ class App {
       sign.style.background = colour;
       $('layers').append(make('label', {}, box, sign, title));
     }
+    this.listenToCut();
     for (const button of document.querySelectorAll('[data-look]')) button.onclick = () => this.look(button.dataset.look);
     $('play').onclick = () => this.setPlaying(!this.playing);
     $('begin').onclick = () => this.seek(0);
@@ -258,7 +253,22 @@ class App {
     $('theme').onclick = () => this.setTheme(document.documentElement.dataset.theme);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.scene.restyle());
     addEventListener('resize', () => this.refresh());
-    addEventListener('keydown', (event) => this.key(event));
+    listenToKeys(this);
+  }
+
+  /** The maps are shown up to a height, so that one can look over the walls. */
+  listenToCut() {
+    const said = make('output');
+    const slider = make('input', { type: 'range', id: 'cut', min: 0.2, max: HIGHEST, step: 0.1, value: CUT, oninput: () => cut() });
+    const cut = () => {
+      const height = Number(slider.value);
+      said.textContent = height < HIGHEST ? `${height.toFixed(1)} m` : 'all';
+      slider.setAttribute('aria-valuetext', height < HIGHEST ? `${height.toFixed(1)} metres` : 'all');
+      this.scene.layers.cut(height < HIGHEST ? height : Infinity);
+      this.scene.draw();
+    };
+    cut();
+    $('layers').append(make('label', { class: 'cut' }, 'maps up to ', said, slider));
   }
 
   setTheme(before) {
@@ -270,25 +280,6 @@ class App {
   show(name, on) {
     this.scene.layers.setVisible(name, on);
     this.scene.draw();
-  }
-
-  key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
-    const far = event.shiftKey ? 10 : 1;
-    const keys = {
-      ' ': () => event.target.tagName !== 'BUTTON' && this.setPlaying(!this.playing),
-      ArrowLeft: () => this.seek(this.time - far),
-      ArrowRight: () => this.seek(this.time + far),
-      Home: () => this.seek(0),
-      End: () => this.follow(),
-      Escape: () => this.choose(null),
-      0: () => this.look('fit'),
-      t: () => this.look('top'),
-      f: () => this.look('robot'),
-    };
-    const act = keys[event.key];
-    if (!act) return;
-    if (act() !== false) event.preventDefault();
   }
 }
 

@@ -1,5 +1,6 @@
 // Marks of the scene: letters that face the viewer, lines, triangles, cylinders, boxes. Map frame, z up.
 import * as THREE from 'three';
+import { inkOn } from './look.js';
 
 const letters = new Map();
 
@@ -16,7 +17,7 @@ function letterTexture(letter, colour) {
   pen.arc(32, 32, 28, 0, 7);
   pen.fill();
   pen.stroke();
-  pen.fillStyle = '#fff';
+  pen.fillStyle = inkOn(colour);
   pen.font = 'bold 36px system-ui, sans-serif';
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
@@ -33,6 +34,32 @@ export function letterAt(look, [x, y, z], size = 0.032, centre = [0.5, 0.5]) {
   sprite.center.set(...centre);
   sprite.position.set(x, y, z);
   sprite.renderOrder = 10;
+  return sprite;
+}
+
+/** A name on a plate, which keeps its size on the screen. */
+export function plateAt(text, [x, y, z], size = 0.03) {
+  const canvas = document.createElement('canvas');
+  const pen = canvas.getContext('2d');
+  const font = '600 30px system-ui, sans-serif';
+  pen.font = font;
+  canvas.width = Math.ceil(pen.measureText(text).width) + 32;
+  canvas.height = 52;
+  pen.font = font; // a canvas that was resized has forgotten it
+  pen.fillStyle = '#0b0f14e0';
+  pen.roundRect(0, 0, canvas.width, canvas.height, 14);
+  pen.fill();
+  pen.fillStyle = '#ffffff';
+  pen.textBaseline = 'middle';
+  pen.fillText(text, 16, 28);
+  const map = new THREE.CanvasTexture(canvas);
+  map.colorSpace = THREE.SRGBColorSpace;
+  const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map, depthTest: false, sizeAttenuation: false }));
+  sprite.scale.set((size * canvas.width) / canvas.height, size, 1);
+  sprite.center.set(0.5, -2.0);
+  sprite.position.set(x, y, z);
+  sprite.renderOrder = 11;
+  sprite.userData.own = true;
   return sprite;
 }
 
@@ -106,7 +133,8 @@ export function handle([x, y, z], radius, what) {
 export function dispose(group) {
   group.traverse((node) => {
     node.geometry?.dispose();
-    if (node.material && !node.material.map) node.material.dispose();
+    if (node.userData.own) node.material.map.dispose();
+    if (node.material && (node.userData.own || !node.material.map)) node.material.dispose();
   });
   group.clear();
 }

@@ -47,14 +47,19 @@ export class Robot {
     const [x, y] = [(view[0] / 2) * far, (view[1] / 2) * far];
     const corners = [[-x, -y], [x, -y], [x, y], [-x, y]];
     const points = [];
+    const faces = [];
     corners.forEach(([u, v], i) => {
       const [p, q] = corners[(i + 1) % 4];
       points.push(0, 0, 0, u, v, far, u, v, far, p, q, far);
+      faces.push(0, 0, 0, u, v, far, p, q, far);
     });
     const geometry = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute(points, 3));
     const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: 0xcc79a7, transparent: true, opacity: 0.7 }));
     lines.position.set(camera[0], camera[1], camera[2]);
     lines.quaternion.set(camera[3], camera[4], camera[5], camera[6]);
+    const sides = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute(faces, 3));
+    const glass = { color: 0xcc79a7, transparent: true, opacity: 0.12, side: THREE.DoubleSide, depthWrite: false };
+    lines.add(new THREE.Mesh(sides, new THREE.MeshBasicMaterial(glass)));
     return lines;
   }
 

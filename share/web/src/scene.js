@@ -6,6 +6,8 @@ import { themed } from './look.js';
 
 const FIELD = 45; // degrees
 const CLICK = 5; // pixels that a click may slip
+const FLIGHT = 350; // ms from one view to another
+const EAST = new THREE.Vector3(1, 0, 0);
 
 export class Scene {
   constructor(canvas, onPick) {
@@ -22,12 +24,13 @@ export class Scene {
     this.controls.minDistance = 0.6;
     this.controls.maxDistance = 60;
     this.controls.addEventListener('change', () => this.draw());
-    this.controls.addEventListener('start', () => canvas.focus({ preventScroll: true }));
+    this.controls.addEventListener('start', () => (this.flight = undefined));
     const sun = new THREE.DirectionalLight(0xffffff, 2.2);
     sun.position.set(-3, -5, 8);
     this.world.add(new THREE.HemisphereLight(0xffffff, 0x8a8f98, 1.6), sun);
     this.layers = new Layers(this.world);
     this.following = false;
+    this.covered = [0, 0]; // pixels at the right and at the bottom that a drawer hides
     this.listen();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.restyle();
@@ -43,7 +46,10 @@ export class Scene {
       this.onPick(what);
     });
     this.canvas.addEventListener('pointermove', (event) => {
-      if (event.buttons === 0) this.canvas.style.cursor = this.at(event) ? 'pointer' : 'grab';
+      if (event.buttons !== 0) return;
+      const what = this.at(event);
+      this.canvas.style.cursor = what ? 'pointer' : 'grab';
+      this.canvas.title = what ? (what.kind === 'region' ? `region ${what.id}` : what.id) : '';
     });
   }
 
@@ -74,21 +80,76 @@ export class Scene {
     const middle = new THREE.Vector3((west + east) / 2, (south + north) / 2, 0);
     const half = Math.tan((FIELD / 2) * (Math.PI / 180));
     const slant = from === 'top' ? 1 : 0.86;
-    const distance = Math.max((north - south) * slant, (east - west) / this.camera.aspect) / 2 / half + (from === 'top' ? 1.6 : 2.2);
-    this.controls.target.copy(middle);
-    this.camera.position.copy(middle).add(from === 'top' ? new THREE.Vector3(0, -0.001, distance) : new THREE.Vector3(0, -0.56 * distance, 0.83 * distance));
-    this.controls.update();
-    this.draw();
+    const aspect = this.camera.aspect * (1 - this.covered[0] / this.canvas.clientWidth);
+    const lies = this.camera.aspect < 1 === east - west > north - south; // the long side of the place along that of the picture
+    const [wide, deep] = lies ? [north - south, east - west] : [east - west, north - south];
+    const distance = Math.max(deep * slant, wide / aspect) / 2 / half + (from === 'top' ? 1.6 : 2.2);
+    const away = from === 'top' ? new THREE.Vector3(0, -0.001, distance) : new THREE.Vector3(0, -0.56 * distance, 0.83 * distance);
+    if (lies) away.applyAxisAngle(this.camera.up, -Math.PI / 2);
+    this.flyTo(middle, middle.clone().add(away));
   }
 
   goTo([x, y, z]) {
     const target = new THREE.Vector3(x, y, z ?? 0);
     const away = this.camera.position.clone().sub(this.controls.target);
     away.setLength(Math.min(away.length(), 4.5));
-    this.controls.target.copy(target);
-    this.camera.position.copy(target).add(away);
+    this.flyTo(target, target.clone().add(away));
+  }
+
+  /** There at once for those who want no motion, else within FLIGHT. */
+  flyTo(target, position) {
+    const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    const from = { target: this.controls.target.clone(), position: this.camera.position.clone() };
+    this.flight = { from, to: { target, position }, begun: still || !this.flown ? -Infinity : performance.now() };
+    this.flown = true;
+    this.fly();
+  }
+
+  fly() {
+    if (!this.flight) return;
+    const { from, to, begun } = this.flight;
+    const part = Math.min(1, (performance.now() - begun) / FLIGHT);
+    const eased = part * part * (3 - 2 * part);
+    this.controls.target.lerpVectors(from.target, to.target, eased);
+    this.camera.position.lerpVectors(from.position, to.position, eased);
+    if (part >= 1) this.flight = undefined;
     this.controls.update();
     this.draw();
+  }
+
+  /** Round what is looked at [radians]. */
+  turn(right, up) {
+    const away = new THREE.Spherical().setFromVector3(this.seenFrom().applyAxisAngle(EAST, -Math.PI / 2));
+    away.theta += right;
+    away.phi = Math.min(this.controls.maxPolarAngle, Math.max(0.001, away.phi - up));
+    this.standAt(new THREE.Vector3().setFromSpherical(away).applyAxisAngle(EAST, Math.PI / 2));
+  }
+
+  /** Along the floor, by a part of the distance. */
+  shift(right, up) {
+    const away = this.seenFrom();
+    const ahead = new THREE.Vector3(-away.x, -away.y, 0).normalize();
+    const aside = new THREE.Vector3().crossVectors(ahead, this.camera.up);
+    const step = 0.08 * away.length();
+    this.controls.target.addScaledVector(ahead, up * step).addScaledVector(aside, right * step);
+    this.standAt(away);
+  }
+
+  approach(factor) { this.standAt(this.seenFrom().multiplyScalar(factor)); }
+
+  seenFrom() { return this.camera.position.clone().sub(this.controls.target); }
+  standAt(away) {
+    this.flight = undefined;
+    this.camera.position.copy(this.controls.target).add(away);
+    this.controls.update();
+    this.draw();
+  }
+
+  /** The right side and the bottom are covered so far [pixels]: what is looked at stays in the middle of the rest. */
+  leaveFree(covered) {
+    if (String(this.covered) === String(covered)) return;
+    this.covered = covered;
+    this.resize();
   }
 
   update(state) {
@@ -114,7 +175,7 @@ export class Scene {
     if (!width || !height) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.camera.setViewOffset(width, height, this.covered[0] / 2, this.covered[1] / 2, width, height);
     this.draw();
   }
 
@@ -122,6 +183,7 @@ export class Scene {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame(() => {
       this.waiting = 0;
+      this.fly();
       this.renderer.render(this.world, this.camera);
     });
   }

@@ -66,6 +66,15 @@ export function bytesOf(base64) {
   return bytes;
 }
 
+export const FREE = 1;
+export const OCCUPIED = 2;
+
+/** What each cell of a floor plan is, row by row from the south-west. */
+export function cellsOf(floor) {
+  const packed = bytesOf(floor.cells);
+  return Uint8Array.from({ length: floor.width * floor.height }, (_, i) => (packed[i >> 2] >> (2 * (i & 3))) & 3);
+}
+
 /** Triplets of voxel indices. */
 export function voxelsOf(base64) {
   return new Int16Array(bytesOf(base64).buffer);

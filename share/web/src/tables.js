@@ -1,6 +1,7 @@
 // The tables: everything that the scene shows, in words and numbers, at the instant that is shown.
 import { badge, make, metres, place, seconds } from './dom.js';
 import { FAILS, FAULT, HOLDS, OBJECT, REGION, SCRIPT, SEGMENT, VIEW, objectLook } from './look.js';
+import { FREE, cellsOf } from './store.js';
 import { faults, finds } from './lanes.js';
 import { plots } from './plots.js';
 
@@ -13,9 +14,9 @@ function table(columns, rows, empty) {
     make('tbody', {}, ...rows));
 }
 
-function row(cells, { act, chosen } = {}) {
+function row(cells, { act, chosen, id } = {}) {
   const [first, ...rest] = cells;
-  const head = act ? make('button', { type: 'button', onclick: act }, first) : first;
+  const head = act ? make('button', { type: 'button', onclick: act, 'data-id': id }, first) : first;
   return make('tr', { 'aria-selected': chosen ? 'true' : undefined }, make('th', { scope: 'row' }, head), ...rest.map((cell) => make('td', {}, cell)));
 }
 
@@ -28,7 +29,7 @@ const signed = (look, text) => {
 function objects(state, app) {
   const rows = (state.objects?.list ?? []).map((o) => row(
     [signed(objectLook(o), o.name), objectLook(o).meaning, seconds(o.found_at), metres(o.error, 3), place(o.p)],
-    { act: () => app.choose({ kind: 'object', id: o.name }), chosen: state.chosen?.id === o.name }));
+    { act: () => app.choose({ kind: 'object', id: o.name }), chosen: state.chosen?.id === o.name, id: o.name }));
   return table(['object', 'verdict', 'after', 'error', 'x, y [m]'], rows, 'No object was placed.');
 }
 
@@ -42,7 +43,7 @@ function segments(state, app) {
 function regions(state, app) {
   const rows = (state.regions?.list ?? []).map((r) => row(
     [signed(REGION[r.state], `region ${r.id}`), r.state, String(r.voxels), metres(r.radius), place(r.p)],
-    { act: () => app.choose({ kind: 'region', id: r.id }), chosen: state.chosen?.kind === 'region' && state.chosen.id === r.id }));
+    { act: () => app.choose({ kind: 'region', id: r.id }), chosen: state.chosen?.kind === 'region' && state.chosen.id === r.id, id: r.id }));
   return table(['region', 'state', 'voxels', 'radius', 'x, y [m]'], rows, 'The map does not differ from the reference.');
 }
 
@@ -97,10 +98,14 @@ function figures(state) {
     ['simulated time', seconds(state.time)],
     ['robot believes to be at', pose ? `${place(pose.p)} m, ${degrees(pose.p[2])}` : '–'],
     ['and is off by', pose ? metres(Math.hypot(pose.p[0] - pose.true[0], pose.p[1] - pose.true[1]), 3) : '–'],
+    ['driven so far', metres(wayOf(state.trail), 1)],
+    ['way to the next place', state.path ? metres(wayOf(state.path.points), 1) : '–'],
     ['head pan, tilt', pose ? `${degrees(pose.head[0])}, ${degrees(pose.head[1])}` : '–'],
     ['floor seen', progress ? `${progress.seen_m2.toFixed(1)} m²` : '–'],
     ['voxels that appeared, vanished', state.difference ? `${voxels(state.difference.appeared)}, ${voxels(state.difference.vanished)}` : '–'],
-    ['touches', String(state.store.until('collision', state.time).length)],
+    ['voxels of the map now, of the reference', `${state.voxelCount()}, ${state.start ? voxels(state.start.reference) : '–'}`],
+    ['free floor of the plan', state.start ? `${freeFloor(state.start.floor).toFixed(1)} m²` : '–'],
+    ['touches', String(state.touches.length)],
   ];
   if (report) {
     list.push(['outcome', report.outcome]);
@@ -110,6 +115,14 @@ function figures(state) {
   if (state.start) list.push(['world, seed, method', `${state.start.world}, ${state.start.seed}, ${state.start.method}`], ['amiss', state.start.version]);
   const sheet = make('dl', {}, ...list.flatMap(([term, value]) => [make('dt', {}, term), make('dd', {}, value)]));
   return make('div', {}, report?.findings ? expectations(report) : undefined, sheet, ...plots(state.store));
+}
+
+const wayOf = (points) => points.reduce((sum, p, i) => (i === 0 ? 0 : sum + Math.hypot(p[0] - points[i - 1][0], p[1] - points[i - 1][1])), 0);
+
+const floors = new WeakMap();
+function freeFloor(floor) {
+  if (!floors.has(floor)) floors.set(floor, cellsOf(floor).reduce((sum, cell) => sum + (cell === FREE ? floor.resolution ** 2 : 0), 0));
+  return floors.get(floor);
 }
 
 const voxels = (base64) => Math.floor((base64.length * 3) / 4 / 6);

@@ -3,7 +3,7 @@ import * as THREE from 'three';
 import { cubes } from './cubes.js';
 import { voxelsOf } from './store.js';
 
-const TOP = 2.0; // m: from here on the colour stays
+const TOP = 1.6; // m: from here on the colour stays
 
 const vertex = `
   attribute vec4 corner;
