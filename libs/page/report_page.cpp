@@ -138,7 +138,8 @@ Json pictures_of(std::vector<Json>& events, const std::function<std::string(Slic
       pictures[std::to_string(slice.begin)] = "data:image/jpeg;base64," + base64(picture(slice));
     }
   }
-  for (auto i = without.rbegin(); i != without.rend(); ++i) events.erase(events.begin() + static_cast<std::ptrdiff_t>(*i));
+  for (auto i = without.rbegin(); i != without.rend(); ++i)
+    events.erase(events.begin() + static_cast<std::ptrdiff_t>(*i));
   return pictures;
 }
 

@@ -1,69 +1,21 @@
 // The page in a browser: a run that goes on, a run that is over, report.html.
 // usage: node page_test.mjs PROGRAM FOLDER [SCREENSHOTS]
-// Ends with 77 where there is no Chromium or no playwright-core (`npm ci` in share/web).
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { existsSync, mkdirSync, rmSync, statSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { mkdirSync, rmSync, statSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chooseByKeys, keysOfTimeAndScene, poorContrasts, walkByTab } from './access.mjs';
+import { DESKTOP, PHONE, Programs, launch, open, photographer } from './browser.mjs';
 
 const [program, folder, pictures] = process.argv.slice(2);
-const chromiumProgram = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
-let chromium;
-try {
-  ({ chromium } = createRequire(fileURLToPath(new URL('../../share/web/', import.meta.url)))('playwright-core'));
-} catch {
-  console.log('playwright-core is not there: skipped');
-  process.exit(77);
-}
-if (!chromiumProgram) {
-  console.log('Chromium is not there: skipped');
-  process.exit(77);
-}
 rmSync(join(folder, 'run'), { recursive: true, force: true }); // of the last time
 mkdirSync(folder, { recursive: true });
-if (pictures) mkdirSync(pictures, { recursive: true });
-
-const children = [];
-/** Starts amiss; gives the child and the address that it tells. */
-async function start(...words) {
-  const child = spawn(resolve(program), words, { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
-  children.push(child);
-  const ended = new Promise((done) => child.on('exit', done));
-  let said = '';
-  const url = await new Promise((tell, fail) => {
-    child.stderr.on('data', (text) => {
-      said += text;
-      const address = /watch at (http:\S+)/.exec(said);
-      if (address) tell(address[1]);
-    });
-    child.on('exit', () => fail(new Error('it ended: ' + said)));
-  });
-  return { child, url, ended };
-}
-
-/** A page that may say nothing on its console and ask nobody but `origin`. */
-async function open(browser, url, origin, look) {
-  const page = await browser.newPage(look);
-  page.setDefaultTimeout(240000); // a place that was not mapped yet is mapped first
-  page.complaints = [];
-  page.on('console', (message) => page.complaints.push(`${message.type()}: ${message.text()}`));
-  page.on('pageerror', (error) => page.complaints.push(error.stack));
-  page.on('request', (request) => {
-    const asked = request.url();
-    if (!asked.startsWith(origin) && !/^(data|blob):/.test(asked)) page.complaints.push('asked ' + asked);
-  });
-  await page.goto(url);
-  await page.waitForFunction(() => window.amiss?.start);
-  return page;
-}
-const shoot = (page, name, more) => pictures && page.screenshot({ path: join(pictures, name + '.png'), ...more });
+const programs = new Programs(program, folder);
+const shoot = photographer(pictures);
 const robot = (page) => page.evaluate(() => window.amiss.state().pose.p);
-const DESKTOP = { viewport: { width: 1400, height: 900 } };
 
 async function liveRun(browser) {
-  const { url, ended } = await start('tidy', '--world', 'lab_30', '--seed', '1', '--until', 'explored', '--out', 'run', '--view', '--port', '0', '--quiet', '--speed', '8');
+  const { url, ended } = await programs.start('tidy', '--world', 'lab_30', '--seed', '1', '--until', 'explored', '--out', 'run', '--view', '--port', '0', '--quiet', '--speed', '8');
   const page = await open(browser, url, url, DESKTOP);
   const first = await robot(page);
   await page.waitForFunction(([x, y]) => Math.hypot(window.amiss.state().pose.p[0] - x, window.amiss.state().pose.p[1] - y) > 0.5, first);
@@ -85,20 +37,35 @@ async function liveRun(browser) {
   assert.equal(await ended, 0);
 }
 
+/** Clicks the letter over an object that was found; gives its name. */
 async function chooseByClick(page) {
   await page.click('[data-look=top]');
-  const at = await page.evaluate(() => {
+  const [name, at] = await page.evaluate(() => {
     const mug = window.amiss.state().objects.list.find((o) => o.found);
     window.amiss.scene.camera.updateMatrixWorld();
-    return window.amiss.scene.onPage([mug.p[0], mug.p[1], mug.p[2] + 0.45]);
+    return [mug.name, window.amiss.scene.onPage([mug.p[0], mug.p[1], mug.p[2] + 0.45])];
   });
   await page.mouse.click(...at);
-  await page.waitForSelector('#detail:not([hidden]) .taken[src^=blob]');
+  await page.waitForSelector('#detail:not([hidden]) .taken[src]');
+  assert.match(await page.textContent('#detail h2'), new RegExp(name));
   assert.match(await page.textContent('#detail'), /Found: a segment holds \d+ % of its pixels/);
+  return name;
 }
 
-async function finishedRun(browser) {
-  const { child, url, ended } = await start('view', 'run', '--port', '0');
+/** Milliseconds of one picture of the scene, drawn to its end. */
+const frameTime = (page) => page.evaluate(() => {
+  const { renderer, world, camera } = window.amiss.scene;
+  const gl = renderer.getContext();
+  const times = Array.from({ length: 5 }, () => {
+    const begun = performance.now();
+    renderer.render(world, camera);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    return performance.now() - begun;
+  });
+  return Math.min(...times);
+});
+
+async function scrubbedAndClicked(browser, url) {
   const page = await open(browser, url, url, DESKTOP);
   await page.waitForFunction(() => window.amiss.ended && document.querySelectorAll('#objects tbody tr').length === 5);
   const last = await robot(page);
@@ -109,31 +76,89 @@ async function finishedRun(browser) {
   assert.equal(await page.evaluate(() => window.amiss.state().objects.list.filter((o) => o.found).length), 0);
   await page.evaluate(() => window.amiss.follow());
   await chooseByClick(page);
+  await shoot(page, 'clicked');
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('#detail', { state: 'hidden' });
+  const lanes = await page.locator('#lanes').boundingBox();
+  await page.mouse.click(lanes.x + 0.5 * lanes.width, lanes.y + lanes.height - 4);
+  const part = await page.evaluate(() => window.amiss.time / window.amiss.store.end);
+  assert.ok(part > 0.35 && part < 0.55, 'a click into the timeline goes there');
   await page.click('[data-look=fit]');
   await page.waitForTimeout(500);
   await shoot(page, 'light');
+  const ms = await frameTime(page);
+  console.log(`a picture of the scene takes ${ms.toFixed(0)} ms without a graphics card`);
+  assert.ok(ms < 2000);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+async function byKeyboard(browser, url) {
+  const page = await open(browser, url, url, DESKTOP);
+  await page.waitForFunction(() => window.amiss.ended && document.querySelectorAll('#objects tbody tr').length === 5);
+  const walk = await walkByTab(page);
+  for (const name of ['theme', 'help', 'scene', 'tab-objects', 'play', 'scrub', 'cut']) assert.ok(walk.includes(name), `Tab comes to ${name}: ${walk}`);
+  await chooseByKeys(page);
+  await keysOfTimeAndScene(page);
   await page.focus('#tab-objects');
   await page.keyboard.press('ArrowRight');
   assert.equal(await page.evaluate(() => document.activeElement.id), 'tab-regions');
+  await page.focus('#help');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#keys', { state: 'visible' });
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('#keys', { state: 'hidden' });
   assert.deepEqual(page.complaints, []);
   await page.close();
+}
 
-  const dark = await open(browser, url, url, { ...DESKTOP, colorScheme: 'dark' });
-  await dark.waitForFunction(() => window.amiss.ended);
-  await dark.evaluate(() => window.amiss.seek(0.7 * window.amiss.store.end));
-  await dark.click('#tab-run');
-  await dark.waitForTimeout(1500);
-  await shoot(dark, 'dark');
-  assert.deepEqual(dark.complaints, []);
-  await dark.close();
+/** All tables, with something chosen, in both schemes. */
+async function isRead(browser, url) {
+  for (const colorScheme of ['light', 'dark']) {
+    const page = await open(browser, url, url, { ...DESKTOP, colorScheme });
+    await page.waitForFunction(() => window.amiss.ended);
+    await page.evaluate(() => window.amiss.seek(0.7 * window.amiss.store.end));
+    await page.evaluate(() => window.amiss.choose({ kind: 'region', id: window.amiss.state().regions.list[0].id }));
+    await page.waitForSelector('#detail:not([hidden])');
+    for (const tab of await page.locator('[role=tab]').all()) {
+      await tab.click();
+      await page.waitForTimeout(300);
+      assert.deepEqual(await page.evaluate(poorContrasts), [], `${colorScheme}, ${await tab.textContent()}`);
+    }
+    await page.click('#tab-run');
+    await page.waitForTimeout(500);
+    await shoot(page, colorScheme === 'dark' ? 'dark' : 'region');
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  }
+}
 
-  const phone = await open(browser, url, url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+async function onPhone(browser, url) {
+  const phone = await open(browser, url, url, PHONE);
   await phone.waitForFunction(() => window.amiss.ended);
-  assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing sticks out sideways');
+  const fits = () => phone.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
+  assert.ok(await fits(), 'nothing sticks out sideways');
   await phone.waitForTimeout(1500);
   await shoot(phone, 'phone');
+  await phone.tap('#objects tbody button');
+  await phone.waitForSelector('#detail:not([hidden])');
+  const sheet = await phone.locator('#detail').boundingBox();
+  assert.ok(sheet.y > 0.3 * 844 && sheet.y + sheet.height <= 845, 'the sheet lies at the bottom and leaves the scene free');
+  assert.ok(await fits());
+  await phone.waitForTimeout(500);
+  await shoot(phone, 'phone_clicked');
+  await phone.tap('#detail .close');
+  await phone.waitForSelector('#detail', { state: 'hidden' });
   assert.deepEqual(phone.complaints, []);
   await phone.close();
+}
+
+async function finishedRun(browser) {
+  const { child, url, ended } = await programs.start('view', 'run', '--port', '0');
+  await scrubbedAndClicked(browser, url);
+  await byKeyboard(browser, url);
+  await isRead(browser, url);
+  await onPhone(browser, url);
   child.kill('SIGINT');
   assert.equal(await ended, 0);
 }
@@ -148,6 +173,13 @@ async function report(browser) {
   assert.ok((await page.locator('.plot').count()) >= 3);
   await page.waitForTimeout(1000);
   await shoot(page, 'report', { fullPage: false });
+  const seen = await page.getAttribute('#colour', 'alt');
+  await page.evaluate(() => window.amiss.seek(0.5 * window.amiss.store.end));
+  await page.waitForFunction((alt) => document.getElementById('colour').alt !== alt, seen);
+  await page.evaluate(() => window.amiss.follow());
+  await chooseByClick(page);
+  assert.deepEqual(await page.evaluate(poorContrasts), []);
+  await walkByTab(page);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -156,7 +188,7 @@ async function report(browser) {
 async function scenarioRun(browser) {
   const file = fileURLToPath(new URL('../../share/scenarios/camera_fails.yaml', import.meta.url));
   rmSync(join(folder, 'scenario'), { recursive: true, force: true });
-  const { url, ended } = await start('scenario', file, '--out', 'scenario', '--view', '--port', '0', '--quiet', '--speed', '20');
+  const { url, ended } = await programs.start('scenario', file, '--out', 'scenario', '--view', '--port', '0', '--quiet', '--speed', '20');
   const page = await open(browser, url, url, DESKTOP);
   await page.waitForFunction(() => window.amiss.store.all('script').length > 0);
   assert.match(await page.textContent('#subject'), /camera_fails/);
@@ -175,10 +207,7 @@ async function scenarioRun(browser) {
   assert.equal(await ended, 0);
 }
 
-const browser = await chromium.launch({
-  executablePath: chromiumProgram,
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-});
+const browser = await launch();
 try {
   await liveRun(browser);
   await finishedRun(browser);
@@ -187,5 +216,5 @@ try {
   console.log('the page works');
 } finally {
   await browser.close();
-  for (const child of children) child.kill('SIGKILL');
+  programs.kill();
 }

@@ -6,7 +6,7 @@ const CLOSER = 0.85;
 /** True if the key is for what has the focus. */
 function isTaken(event) {
   const { target } = event;
-  if (event.key === 'Escape') return false;
+  if (event.key === 'Escape') return Boolean(document.querySelector(':popover-open')); // the browser closes that
   if (/^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) return target.type !== 'checkbox' || event.key === ' ';
   return event.key === ' ' && /^(BUTTON|SUMMARY)$/.test(target.tagName);
 }

@@ -160,14 +160,14 @@ class App {
   }
 
   async paintCamera({ frame }) {
-    $('camera').classList.toggle('none', !frame);
+    $('camera').hidden = !this.store.first('frame');
+    $('camera').classList.toggle('none', !frame || !this.frame);
     if (!frame || this.loading || this.frame === frame) return;
     this.loading = true;
     const [colour, depth] = await Promise.all([this.source.picture(frame.colour), this.source.picture(frame.depth)]);
     this.loading = false;
     this.frame = frame;
     if (colour && depth) {
-      $('camera').hidden = false;
       $('colour').src = colour;
       $('depth').src = depth;
       $('colour').alt = `camera at ${frame.t.toFixed(1)} s`;
@@ -259,7 +259,7 @@ class App {
   /** The maps are shown up to a height, so that one can look over the walls. */
   listenToCut() {
     const said = make('output');
-    const slider = make('input', { type: 'range', id: 'cut', min: 0.2, max: HIGHEST, step: 0.1, value: CUT, oninput: () => cut() });
+    const slider = make('input', { type: 'range', id: 'cut', 'aria-label': 'Height to which the maps are shown, metres', min: 0.2, max: HIGHEST, step: 0.1, value: CUT, oninput: () => cut() });
     const cut = () => {
       const height = Number(slider.value);
       said.textContent = height < HIGHEST ? `${height.toFixed(1)} m` : 'all';
@@ -268,7 +268,7 @@ class App {
       this.scene.draw();
     };
     cut();
-    $('layers').append(make('label', { class: 'cut' }, 'maps up to ', said, slider));
+    $('layers').append(make('div', { class: 'cut' }, 'maps up to ', said, slider));
   }
 
   setTheme(before) {
