@@ -1,10 +1,13 @@
 #include "dataset/bag_writer.hpp"
 
 #include <bzlib.h>
+#include <geometry_msgs/PoseWithCovariance.h>
+#include <geometry_msgs/TwistWithCovariance.h>
 #include <ros/serialization.h>
 #include <roslz4/lz4s.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
+#include <sensor_msgs/LaserScan.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
@@ -52,18 +55,23 @@ BagWriter::BagWriter(std::string compression) : compression_(std::move(compressi
 template <class Message>
 void BagWriter::add(const std::string& topic, const Message& message) {
   namespace traits = ros::message_traits;
+  add_bytes(
+      topic,
+      {traits::DataType<Message>::value(), traits::MD5Sum<Message>::value(), traits::Definition<Message>::value()},
+      serialized(message));
+}
+
+/// `type`: its name, its MD5 sum and its definition.
+void BagWriter::add_bytes(const std::string& topic, const std::vector<std::string>& type, const std::string& message) {
   std::string chunk;
   if (connections_.count(topic) == 0) {
     const auto number = static_cast<std::uint32_t>(connections_.size());
     connections_[topic] = number;
-    chunk += record({{"op", "\x07"}, {"conn", little(number)}, {"topic", topic}},
-                    fields({{"topic", topic},
-                            {"type", traits::DataType<Message>::value()},
-                            {"md5sum", traits::MD5Sum<Message>::value()},
-                            {"message_definition", traits::Definition<Message>::value()}}));
+    chunk += record(
+        {{"op", "\x07"}, {"conn", little(number)}, {"topic", topic}},
+        fields({{"topic", topic}, {"type", type.at(0)}, {"md5sum", type.at(1)}, {"message_definition", type.at(2)}}));
   }
-  chunk += record({{"op", "\x02"}, {"conn", little(connections_[topic])}, {"time", std::string(8, '\0')}},
-                  serialized(message));
+  chunk += record({{"op", "\x02"}, {"conn", little(connections_[topic])}, {"time", std::string(8, '\0')}}, message);
   bytes_ += record({{"op", "\x05"}, {"compression", compression_}, {"size", little(chunk.size())}}, packed(chunk));
   bytes_ += record({{"op", "\x04"}, {"ver", little(1)}, {"conn", little(0)}, {"count", little(0)}}, "");
 }
@@ -117,6 +125,56 @@ void BagWriter::write(const std::string& topic, const BagCamera& camera) {
   message.P[2] = camera.p_cx;
   message.P[6] = camera.p_cy;
   add(topic, message);
+}
+
+void BagWriter::write(const std::string& topic, const BagScan& scan) {
+  sensor_msgs::LaserScan message;
+  message.header.stamp = ros::Time(scan.stamp_s);
+  message.header.frame_id = scan.frame;
+  message.angle_min = static_cast<float>(scan.angle_min_rad);
+  message.angle_increment = static_cast<float>(scan.angle_step_rad);
+  message.range_min = static_cast<float>(scan.min_range_m);
+  message.range_max = static_cast<float>(scan.max_range_m);
+  message.ranges = scan.ranges_m;
+  add(topic, message);
+}
+
+void BagWriter::write(const std::string& topic, const BagPose& transform) {
+  geometry_msgs::TransformStamped one;
+  one.header.stamp = ros::Time(transform.stamp_s);
+  one.header.frame_id = transform.parent;
+  one.child_frame_id = transform.child;
+  one.transform.translation.x = transform.x_m;
+  one.transform.translation.y = transform.y_m;
+  one.transform.translation.z = transform.z_m;
+  one.transform.rotation.x = transform.qx;
+  one.transform.rotation.y = transform.qy;
+  one.transform.rotation.z = transform.qz;
+  one.transform.rotation.w = transform.qw;
+  tf2_msgs::TFMessage message;
+  message.transforms.push_back(one);
+  add(topic, message);
+}
+
+/// nav_msgs/Odometry from its parts: Debian's nav_msgs would be one more package for this message alone.
+void BagWriter::write_odometry(const std::string& topic, const BagPose& pose) {
+  std_msgs::Header header;
+  header.stamp = ros::Time(pose.stamp_s);
+  header.frame_id = pose.parent;
+  geometry_msgs::PoseWithCovariance with_covariance;
+  with_covariance.pose.position.x = pose.x_m;
+  with_covariance.pose.position.y = pose.y_m;
+  with_covariance.pose.position.z = pose.z_m;
+  with_covariance.pose.orientation.x = pose.qx;
+  with_covariance.pose.orientation.y = pose.qy;
+  with_covariance.pose.orientation.z = pose.qz;
+  with_covariance.pose.orientation.w = pose.qw;
+  add_bytes(topic,
+            {"nav_msgs/Odometry", "cd5e73d190d741a2f92e81eda573aca7",
+             "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n"
+             "geometry_msgs/TwistWithCovariance twist\n"},
+            serialized(header) + serialized(pose.child) + serialized(with_covariance) +
+                serialized(geometry_msgs::TwistWithCovariance()));
 }
 
 }  // namespace amiss::test

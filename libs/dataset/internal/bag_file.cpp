@@ -55,10 +55,9 @@ class RecordReader {
   std::uint32_t length(std::size_t most) {
     const std::string bytes = take(4);
     const auto value = ByteReader(bytes, name_).get<std::uint32_t>();
-    if (value > left() || value > most) {
-      throw InputError(name_ + ": at byte " + std::to_string(at_ - 4) + " a length of " + std::to_string(value) +
-                       " leads out of the file or is no sensible one");
-    }
+    const std::string where = "at byte " + std::to_string(at_ - 4) + " a length of " + std::to_string(value);
+    if (value > left()) throw InputError(name_ + ": ends in the middle of a record (" + where + " leads out of it)");
+    if (value > most) throw InputError(name_ + ": " + where + " is no sensible one");
     return value;
   }
   std::string take(std::size_t count) {
@@ -153,9 +152,13 @@ void BagFile::each(const Visitor& visit) const {
 
 std::string BagFile::read(const BagPlace& place) const {
   if (!place.in_chunk) return RecordReader(file_, place.at).take(place.size);
-  RecordReader records(file_, place.chunk);
+  return chunk(place.chunk).substr(place.at, place.size);
+}
+
+std::string BagFile::chunk(std::uint64_t at) const {
+  RecordReader records(file_, at);
   const Header header = records.header();
-  return read_chunk(records, header).substr(place.at, place.size);
+  return read_chunk(records, header);
 }
 
 }  // namespace amiss::dataset

@@ -33,6 +33,8 @@ class BagFile {
   /// All messages in the order of the file, read once from its beginning to its end.
   void each(const Visitor& visit) const;
   [[nodiscard]] std::string read(const BagPlace& place) const;
+  /// The unpacked chunk whose record is at this place.
+  [[nodiscard]] std::string chunk(std::uint64_t at) const;
 
   [[nodiscard]] static bool is_bag(const std::filesystem::path& file);
 

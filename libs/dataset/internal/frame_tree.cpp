@@ -55,4 +55,10 @@ bool FrameTree::hangs_below(const std::string& from, const std::string& to) cons
   return here == to;
 }
 
+std::map<Stamp, Eigen::Isometry3d> FrameTree::motion(const std::string& parent, const std::string& child) const {
+  const auto link = links_.find(child);
+  if (link == links_.end() || link->second.parent != parent || link->second.fixed) return {};
+  return link->second.T_parent_child;
+}
+
 }  // namespace amiss::dataset

@@ -18,6 +18,8 @@ class FrameTree {
   /// `from` hangs below `to`.
   [[nodiscard]] std::optional<Eigen::Isometry3d> at(const std::string& to, const std::string& from, Stamp stamp) const;
   [[nodiscard]] bool hangs_below(const std::string& from, const std::string& to) const;
+  /// All that was said of a frame that hangs on `parent` itself and moves; nothing where it does not.
+  [[nodiscard]] std::map<Stamp, Eigen::Isometry3d> motion(const std::string& parent, const std::string& child) const;
 
  private:
   struct Link {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kMostEdge = 8192;  // pixels
 constexpr std::size_t kDepthBytes = 2, kFloatBytes = 4;
+constexpr std::uint32_t kMostBeams = 1U << 16U;
 
 Stamp take_stamp(ByteReader& reader) {
   const auto whole_s = reader.get<std::uint32_t>(), rest_ns = reader.get<std::uint32_t>();
@@ -77,6 +78,17 @@ bool is_depth(std::string_view encoding) {
   return encoding == "16UC1" || encoding == "mono16" || encoding == "32FC1";
 }
 
+Eigen::Isometry3d take_pose(ByteReader& reader, const std::string& what) {
+  std::array<double, 7> v{};
+  for (double& value : v) value = reader.get<double>();
+  const Eigen::Quaterniond turn(v[6], v[3], v[4], v[5]);
+  const double length = turn.norm();
+  if (!(length > 0.5 && length < 2.0) || !std::isfinite(v[0] + v[1] + v[2])) {
+    throw InputError(what + " is no rigid motion");
+  }
+  return Eigen::Translation3d(v[0], v[1], v[2]) * turn.normalized();
+}
+
 float depth_at(const char* at, const RawImage& image, double scale) {
   if (image.encoding == "32FC1") {
     float metres = 0.0F;
@@ -90,6 +102,10 @@ float depth_at(const char* at, const RawImage& image, double scale) {
 }
 
 }  // namespace
+
+Pose2<Odom, Base> on_floor(const Eigen::Isometry3d& T) {
+  return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
+}
 
 RosHeader parse_ros_header(std::string_view message, const std::string& name) {
   ByteReader reader(message, name);
@@ -162,18 +178,42 @@ std::vector<RosTransform> parse_ros_transforms(std::string_view message, const s
     one.stamp = header.stamp;
     one.parent = header.frame;
     one.child = frame_name(reader.counted());
-    std::array<double, 7> v{};
-    for (double& value : v) value = reader.get<double>();
-    const Eigen::Quaterniond turn(v[6], v[3], v[4], v[5]);
-    const double length = turn.norm();
-    if (!(length > 0.5 && length < 2.0) || !std::isfinite(v[0] + v[1] + v[2])) {
-      throw InputError(name + ": the transform from " + one.child.substr(0, 60) + " to " + one.parent.substr(0, 60) +
-                       " is no rigid motion");
-    }
-    one.T_parent_child = Eigen::Translation3d(v[0], v[1], v[2]) * turn.normalized();
+    one.T_parent_child = take_pose(reader, name + ": the transform from " + one.child.substr(0, 60) + " to " +
+                                               one.parent.substr(0, 60));
     transforms.push_back(std::move(one));
   }
   return transforms;
+}
+
+RosScan parse_ros_scan(std::string_view message, const std::string& name) {
+  ByteReader reader(message, name);
+  RosScan scan;
+  const RosHeader header = take_header(reader);
+  scan.frame = header.frame;
+  const auto first_rad = reader.get<float>();
+  reader.get<float>();  // angle of the last beam
+  const auto step_rad = reader.get<float>();
+  reader.get<float>();  // time between two beams
+  reader.get<float>();  // and between two scans
+  const auto least_m = reader.get<float>(), most_m = reader.get<float>();
+  const auto beams = reader.get<std::uint32_t>();
+  if (!std::isfinite(first_rad + step_rad + least_m) || !(most_m > least_m) || beams < 1 || beams > kMostBeams) {
+    throw InputError(name + ": a scan has no beams, too many, or angles and ranges that make no sense");
+  }
+  scan.scan = {header.stamp, first_rad, step_rad, least_m, most_m, std::vector<float>(beams)};
+  for (float& range : scan.scan.ranges_m) {
+    range = reader.get<float>();
+    if (!(range >= least_m && range <= most_m && std::isfinite(range))) range = std::numeric_limits<float>::quiet_NaN();
+  }
+  return scan;
+}
+
+RosOdometry parse_ros_odometry(std::string_view message, const std::string& name) {
+  ByteReader reader(message, name);
+  const RosHeader header = take_header(reader);
+  const std::string child = frame_name(reader.counted());
+  const Eigen::Isometry3d T = take_pose(reader, name + ": a pose of odometry");
+  return {header.frame, child, {header.stamp, on_floor(T)}};
 }
 
 }  // namespace amiss::dataset

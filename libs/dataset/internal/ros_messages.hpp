@@ -1,6 +1,7 @@
 // The messages of ROS 1 that a recording is made of, from their bytes.
-// sensor_msgs/Image, sensor_msgs/CameraInfo, tf2_msgs/TFMessage (tf/tfMessage) -> values; InputError "NAME: ..." for
-// bytes that are none, images whose rows do not fit, rotations without length, numbers that are not finite.
+// sensor_msgs/Image, CameraInfo, LaserScan, nav_msgs/Odometry, tf2_msgs/TFMessage (tf/tfMessage) -> values; InputError
+// "NAME: ..." for bytes that are none, images whose rows do not fit, rotations without length, numbers that are not
+// finite.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -33,5 +34,20 @@ struct RosTransform {
   Eigen::Isometry3d T_parent_child = Eigen::Isometry3d::Identity();
 };
 [[nodiscard]] std::vector<RosTransform> parse_ros_transforms(std::string_view message, const std::string& name);
+
+struct RosScan {
+  std::string frame;
+  LaserScan scan;
+};
+/// Ranges that are none or not between the sensor's least and most are NaN.
+[[nodiscard]] RosScan parse_ros_scan(std::string_view message, const std::string& name);
+
+/// What of a pose lies in the plane of the floor.
+[[nodiscard]] Pose2<Odom, Base> on_floor(const Eigen::Isometry3d& T_odom_base);
+struct RosOdometry {
+  std::string parent, child;
+  Odometry odometry;
+};
+[[nodiscard]] RosOdometry parse_ros_odometry(std::string_view message, const std::string& name);
 
 }  // namespace amiss::dataset
