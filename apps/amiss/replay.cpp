@@ -25,7 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-  std::string file, out;
+  std::string file, out, reference, params_file;
+  std::vector<std::string> overrides;
+  std::vector<double> start;  // m, m, degrees
+  dataset::RobotBagOptions bag;
   bool json = false, quiet = false;
 };
 
@@ -94,16 +97,37 @@ void print(const recording::ReplayReport& report, const knowledge::Knowledge& kn
                            seconds(report.pose.stamp), report.complete ? "" : "; the recording breaks off here");
 }
 
+/// What the recording was made with, or what the user says instead.
+struct Basis {
+  Settings settings;
+  mission::Reference reference;
+};
+
+Basis basis_of(const Arguments& a, const recording::Source& source) {
+  const auto& documents = source.documents();
+  if (a.reference.empty()) {
+    if (documents.empty())
+      throw InputError(a.file + ": holds no reference; --reference DIR names a folder of `amiss map`");
+    for (const char* name : {"params.yaml", "map.yaml", "map.pgm", "mapped.ot", "reference.ot"}) {
+      if (!documents.contains(name)) throw InputError(a.file + ": " + name + " is not attached to it");
+    }
+  }
+  const Unpacked unpacked(documents);
+  const fs::path folder = a.reference.empty() ? unpacked.path() : fs::path(a.reference);
+  fs::path params = a.params_file;
+  if (params.empty()) params = (documents.empty() ? folder : unpacked.path()) / "params.yaml";
+  if (a.params_file.empty() && !fs::exists(params)) params.clear();
+  Settings settings = load_settings(params, a.overrides);
+  settings.mission.perception.time_limit_s = std::numeric_limits<double>::infinity();  // the recording ends it
+  return {settings, mission::load_reference(folder, settings.mission.voxels)};
+}
+
 int run(const Arguments& a) {
   catch_interrupts();
-  const auto source = recording::open_source(a.file);
-  for (const char* name : {"params.yaml", "map.yaml", "map.pgm", "mapped.ot", "reference.ot"}) {
-    if (!source->documents().contains(name)) throw InputError(a.file + ": " + name + " is not attached to it");
-  }
-  const Unpacked unpacked(source->documents());
-  Settings settings = load_settings(unpacked.path() / "params.yaml", {});
-  settings.mission.perception.time_limit_s = std::numeric_limits<double>::infinity();  // the recording ends it
-  const mission::Reference reference = mission::load_reference(unpacked.path(), settings.mission.voxels);
+  recording::BagSetting bag{a.bag, {}};
+  if (!a.start.empty()) bag.T_map_base = {a.start.at(0), a.start.at(1), radians(a.start.at(2))};
+  const auto source = recording::open_source(a.file, bag);
+  const auto [settings, reference] = basis_of(a, *source);
   std::optional<report::RunFolder> folder;
   if (!a.out.empty()) folder.emplace(fs::path(a.out));
   knowledge::KnowledgeBase knowledge =
@@ -126,15 +150,50 @@ int run(const Arguments& a) {
   return interrupted() ? kInterrupted : kGoalMet;
 }
 
+void add_bag_options(CLI::App& command, Arguments& a) {
+  command
+      .add_option("--start", a.start,
+                  "of a bag: where on the map the robot begins, X,Y,HEADING in m and degrees [0,0,0]")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(-1e4, 1e4));
+  const auto add = [&](const char* name, std::string& value, const std::string& what) {
+    command.add_option(name, value, "of a bag: " + what)->type_name("NAME")->capture_default_str();
+  };
+  add("--odometry-topic", a.bag.odometry_topic, "nav_msgs/Odometry; where it is missing, /tf says the same");
+  add("--scan-topic", a.bag.scan_topic, "sensor_msgs/LaserScan");
+  add("--depth-topic", a.bag.depth_topic, "sensor_msgs/Image, 16UC1 in mm or 32FC1 in m, its camera_info beside it");
+  add("--colour-topic", a.bag.colour_topic, "sensor_msgs/Image, registered; without it nothing is segmented");
+  add("--odom-frame", a.bag.odom_frame, "frame of /tf in which odometry moves the robot");
+  add("--base-frame", a.bag.base_frame, "frame of /tf on the floor in the middle of the robot");
+  command
+      .add_option("--frame-period", a.bag.frame_period_s,
+                  "of a bag: frames that come sooner after the last are left out, s")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_replay_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("replay", "perception of a recorded run once more, without the simulator");
-  command->add_option("FILE", a->file, "recording.mcap or recording.rawlog of `amiss tidy --record`")
+  command
+      ->add_option("FILE", a->file,
+                   "recording.mcap or recording.rawlog of `amiss tidy --record`, or a ROS 1 bag of an HSR")
       ->type_name("FILE")
       ->required();
   command->add_option("--out", a->out, "folder for knowledge.sqlite, current.ot and report.json")->type_name("DIR");
+  command
+      ->add_option("--reference", a->reference,
+                   "folder of `amiss map` to compare with; a bag needs one [what the recording holds]")
+      ->type_name("DIR");
+  command->add_option("--params", a->params_file, "YAML file of parameters [of the recording, else of the reference]")
+      ->type_name("FILE");
+  command->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated")
+      ->type_name("KEY=VALUE");
+  add_bag_options(*command, *a);
   command->add_flag("--json", a->json, "print report.json and nothing else on standard output");
   command->add_flag("--quiet", a->quiet, "no table");
   command->callback([a, &exit_status] { exit_status = run(*a); });

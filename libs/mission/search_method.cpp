@@ -33,8 +33,8 @@ std::string_view to_string(SearchEnd end) {
 }
 
 localize::Localizer search_localizer(const FloorGrid& floor, const localize::LocalizerParams& params,
-                                     std::uint64_t seed) {
-  return {floor, {}, {}, params, RandomStream(seed, "search/localizer")};
+                                     std::uint64_t seed, const Pose2<Map, Base>& start) {
+  return {floor, start, {}, params, RandomStream(seed, "search/localizer")};
 }
 
 void add_objects(knowledge::KnowledgeBase& knowledge, int region, Stamp frame,

@@ -34,7 +34,7 @@ struct SearchReport {
 
 /// The particle filter of a search; its random stream is named after it.
 [[nodiscard]] localize::Localizer search_localizer(const FloorGrid& floor, const localize::LocalizerParams& params,
-                                                   std::uint64_t seed);
+                                                   std::uint64_t seed, const Pose2<Map, Base>& start = {});
 /// What an examination of `region` showed (0: the whole frame).
 void add_objects(knowledge::KnowledgeBase& knowledge, int region, Stamp frame,
                  const std::vector<segment::Segment>& segments);

@@ -1,5 +1,8 @@
 #include "recording/replay.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "core/result.hpp"
 #include "mission/perception.hpp"
 #include "mission/search.hpp"
@@ -22,16 +25,35 @@ class RecordedRobot final : public robot::Robot {
   robot::Observation next_;
 };
 
+/// All of the cylinder's rims are in the image, and nothing of them is nearer than that.
+bool is_in_view(const knowledge::Cylinder& region, const mission::LocatedFrame& frame, double min_depth_m) {
+  constexpr int kPoints = 8;  // of half a rim
+  const CameraIntrinsics& camera = frame.captured.frame.intrinsics;
+  const Eigen::Isometry3d T_camera_map = frame.T_map_camera.T.inverse();
+  for (int i = 0; i < 2 * kPoints; ++i) {
+    const double angle = std::numbers::pi * i / kPoints;
+    const Eigen::Vector2d rim = region.centre_map + region.radius_m * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    for (const double z : {region.z_low_m, region.z_high_m}) {
+      const Eigen::Vector3d p = T_camera_map * Eigen::Vector3d(rim.x(), rim.y(), z);
+      if (p.z() < min_depth_m) return false;
+      const double u = camera.fx * p.x() / p.z() + camera.cx, v = camera.fy * p.y() / p.z() + camera.cy;
+      if (u < 0.0 || v < 0.0 || u > camera.width - 1.0 || v > camera.height - 1.0) return false;
+    }
+  }
+  return true;
+}
+
 class Replayer {
  public:
-  Replayer(const Setup& setup, const mission::Reference& reference, const mission::Params& params,
+  Replayer(const Source& source, const mission::Reference& reference, const mission::Params& params,
            knowledge::KnowledgeBase& knowledge, const mission::Sinks& sinks)
       : params_(params),
         knowledge_(knowledge),
-        robot_(setup),
+        decides_(!source.tells_decisions()),
+        robot_(source.setup()),
         perception_(robot_,
-                    std::make_unique<mission::LocalizerTracker>(
-                        mission::search_localizer(reference.floor, params.localizer, setup.seed)),
+                    std::make_unique<mission::LocalizerTracker>(mission::search_localizer(
+                        reference.floor, params.localizer, source.setup().seed, source.setup().T_map_base)),
                     reference.floor, params.voxels, params.perception, sinks),
         differencer_(reference.reference, reference.floor, params.difference) {}
 
@@ -39,7 +61,14 @@ class Replayer {
     ++report.periods;
     if (observation.frame) ++report.frames;
     robot_.will_say(std::move(observation));
-    return perception_.step({});
+    const bool goes_on = perception_.step({});
+    if (decides_ && perception_.now() >= next_comparison_) {
+      compare();
+      next_comparison_ = perception_.now() + duration_of(params_.search.compare_s);
+      const std::vector<knowledge::Region> regions = knowledge_.now().regions;  // looking changes them
+      for (const knowledge::Region& region : regions) look_at(region);
+    }
+    return goes_on;
   }
   bool operator()(const Decision& decision) {
     if (decision.kind == Decision::Kind::kCompared) compare();
@@ -53,6 +82,7 @@ class Replayer {
     return true;
   }
   void finish() {
+    if (decides_) compare();
     report.pose = perception_.pose();
     report.voxels = perception_.voxels();
   }
@@ -66,6 +96,16 @@ class Replayer {
     const auto regions = change::regions(difference.appeared, perception_.voxels(), params_.region);
     knowledge_.merge(
         mission::sightings(regions), [](const knowledge::Region&) { return true; }, perception_.now());
+  }
+  /// What a mission drives for: the whole region in one frame, near enough.
+  void look_at(const knowledge::Region& region) {
+    const auto& last = perception_.last_frame();
+    if (region.examined || region.withdrawn || !last || last->captured.frame.colour.empty()) return;
+    const double far_m = params_.view_pose.max_dist_m + region.cylinder.radius_m;
+    if ((last->T_map_camera.position().head<2>() - region.cylinder.centre_map).norm() > far_m) return;
+    if (!is_in_view(region.cylinder, *last, params_.view_pose.min_depth_m)) return;
+    segmented_ = last;
+    examine(region.id);
   }
   void examine(int region) {
     if (!segmented_) throw InputError("an examination ends that did not begin");
@@ -90,6 +130,8 @@ class Replayer {
 
   const mission::Params& params_;
   knowledge::KnowledgeBase& knowledge_;
+  bool decides_;  // where to compare and to segment, since no mission did
+  Stamp next_comparison_;
   RecordedRobot robot_;
   mission::Perception perception_;
   change::Differencer differencer_;
@@ -100,7 +142,7 @@ class Replayer {
 
 ReplayReport replay(Source& recording, const mission::Reference& reference, const mission::Params& params,
                     knowledge::KnowledgeBase& knowledge, const mission::Sinks& sinks) {
-  Replayer replayer(recording.setup(), reference, params, knowledge, sinks);
+  Replayer replayer(recording, reference, params, knowledge, sinks);
   while (auto entry = recording.next()) {
     if (!std::visit(replayer, *entry)) break;
   }

@@ -1,6 +1,8 @@
 // Perception of a recorded run, without the simulator and without a mission: localize -> insert into the map ->
 // difference with the reference -> regions -> segments (thesis, figure 4.2 without plan and motion). Compares and
-// segments where the recorded mission did, so that a whole recording gives the regions and objects of its run.
+// segments where the recorded mission did, so that a whole recording gives the regions and objects of its run. Where
+// the source tells no decisions it compares every search.compare seconds and at the end, and segments a region when a
+// frame shows the whole of it from at most exam.max_dist.
 //
 // in: Source, reference, parameters     out: regions and objects in the knowledge base, the voxel map; map frame
 // InputError where decisions of the recording do not fit what is perceived.

@@ -14,7 +14,9 @@ struct Setup {
   std::uint64_t seed = 0;
   std::string method;
   Transform<Base, Laser> T_base_laser;
+  Pose2<Map, Base> T_map_base = {};  // where the robot begins; a mission's robot begins at the map's origin
 };
+/// All but where the robot begins.
 [[nodiscard]] std::string setup_message(const Setup& setup);
 [[nodiscard]] Setup parse_setup(std::string_view message);
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <variant>
 
+#include "dataset/robot_bag.hpp"
 #include "recording/robot_messages.hpp"
 
 namespace amiss::recording {
@@ -32,9 +33,16 @@ class Source {
   virtual std::optional<Entry> next() = 0;
   /// At the end: false for a run that was killed.
   [[nodiscard]] virtual bool complete() const = 0;
+  /// False: no mission compared or segmented in it.
+  [[nodiscard]] virtual bool tells_decisions() const { return true; }
 };
 
-/// The recording that the first bytes of the file tell: MCAP or rawlog. InputError for any other.
-[[nodiscard]] std::unique_ptr<Source> open_source(const std::filesystem::path& file);
+/// What a bag does not say.
+struct BagSetting {
+  dataset::RobotBagOptions bag;
+  Pose2<Map, Base> T_map_base;  // where the robot begins
+};
+/// The recording that the first bytes of the file tell: MCAP, rawlog or ROS 1 bag. InputError for any other.
+[[nodiscard]] std::unique_ptr<Source> open_source(const std::filesystem::path& file, const BagSetting& setting = {});
 
 }  // namespace amiss::recording

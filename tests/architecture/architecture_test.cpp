@@ -48,6 +48,8 @@ const std::map<std::string, std::string> kTestedBy = {
     {"mission/search_views", "apps/tidy_test.cpp"},
     {"mission/mapping_run", "apps/tidy_test.cpp"},
     {"recording/replay", "apps/record_test.cpp"},
+    // It needs bags that ROS wrote.
+    {"recording/bag_source", "apps/replay_bag_test.cpp"},
     {"mission/tour", "apps/dataset_make_test.cpp"},
 };
 

@@ -17,7 +17,8 @@ TEST(Source, TheFirstBytesTellTheFormat) {
   EXPECT_EQ(open_source(test::small_rawlog(folder, 1, true))->setup().method, "dynamic");
   EXPECT_NE(why(folder.write("b", "\x89MCAP0\r\n")).find("is no recording of a run"), std::string::npos);
   EXPECT_NE(why(folder.write("c", "\x1f\x8b")).find("does not hold what a replay needs"), std::string::npos);
-  EXPECT_NE(why(folder.write("d", "")).find("is no MCAP file and no rawlog"), std::string::npos);
+  EXPECT_NE(why(folder.write("d", "")).find("is no MCAP file, no rawlog and no ROS 1 bag"), std::string::npos);
+  EXPECT_NE(why(folder.write("f", "#ROSBAG V2.0\n")).find("has no topic '/hsrb/odom'"), std::string::npos);
   EXPECT_NE(why(folder.path() / "e").find("there is no such file"), std::string::npos);
 }
 

@@ -20,7 +20,7 @@ struct BagConnection {
 
 /// Where a message is, to be read again.
 struct BagPlace {
-  std::uint64_t chunk = 0;       // of the chunk's record in the file; of the message's own one outside of chunks
+  std::uint64_t chunk = 0;         // of the chunk's record in the file; of the message's own one outside of chunks
   std::uint64_t at = 0, size = 0;  // in the unpacked chunk, or in the file
   bool in_chunk = true;
 };

@@ -15,8 +15,8 @@ constexpr double kMillimetres = 1000.0;
 /// The topic that is named, else the HSR's, else the only one of its kind.
 const std::pair<const std::string, PlacedTopic>& topic_of(const std::map<std::string, PlacedTopic>& topics, bool depth,
                                                           const std::string& wanted, const std::string& name) {
-  const char* usual = depth ? "/hsrb/head_rgbd_sensor/depth_registered/image_rect_raw"
-                            : "/hsrb/head_rgbd_sensor/rgb/image_rect_color";
+  const char* usual =
+      depth ? "/hsrb/head_rgbd_sensor/depth_registered/image_rect_raw" : "/hsrb/head_rgbd_sensor/rgb/image_rect_color";
   const char* what = depth ? "depth (16UC1, mono16, 32FC1)" : "colour";
   const auto found = topics.find(wanted.empty() ? usual : wanted);
   if (found != topics.end()) return *found;
@@ -77,7 +77,8 @@ class BagRecording : public Recording {
   [[nodiscard]] DepthImage load_depth_image(const BagFrame& f) const {
     return parse_ros_depth(bag_.read(f.depth.place), scale_, name_);
   }
-  void add_frames(const BagTopics& contents, const PlacedTopic& colour, const PlacedTopic& depth, const std::string& map) {
+  void add_frames(const BagTopics& contents, const PlacedTopic& colour, const PlacedTopic& depth,
+                  const std::string& map) {
     const auto stamps_of = [](const PlacedTopic& topic) {
       std::vector<Stamp> stamps;
       for (const StampedPlace& image : topic.places) stamps.push_back(image.stamp);

@@ -74,9 +74,7 @@ struct ColourOrder {
 constexpr std::array<ColourOrder, 5> kOrders{
     {{"rgb8", 0, 1, 2, 3}, {"bgr8", 2, 1, 0, 3}, {"rgba8", 0, 1, 2, 4}, {"bgra8", 2, 1, 0, 4}, {"mono8", 0, 0, 0, 1}}};
 
-bool is_depth(std::string_view encoding) {
-  return encoding == "16UC1" || encoding == "mono16" || encoding == "32FC1";
-}
+bool is_depth(std::string_view encoding) { return encoding == "16UC1" || encoding == "mono16" || encoding == "32FC1"; }
 
 Eigen::Isometry3d take_pose(ByteReader& reader, const std::string& what) {
   std::array<double, 7> v{};
@@ -118,8 +116,8 @@ bool is_ros_depth(std::string_view message, const std::string& name) {
 
 ColourImage parse_ros_colour(std::string_view message, const std::string& name) {
   const RawImage raw = take_image(message, name);
-  const auto* order = std::find_if(kOrders.begin(), kOrders.end(),
-                                   [&](const ColourOrder& o) { return o.encoding == raw.encoding; });
+  const auto* order =
+      std::find_if(kOrders.begin(), kOrders.end(), [&](const ColourOrder& o) { return o.encoding == raw.encoding; });
   if (order == kOrders.end()) refuse_encoding(raw, "rgb8, bgr8, rgba8, bgra8 and mono8", name);
   need_row(raw, order->bytes, name);
   ColourImage image{raw.width, raw.height, {}};
@@ -153,7 +151,7 @@ CameraIntrinsics parse_ros_camera(std::string_view message, const std::string& n
   ByteReader reader(message, name);
   take_header(reader);
   const auto height = reader.get<std::uint32_t>(), width = reader.get<std::uint32_t>();
-  reader.counted();                                                          // model of the distortion
+  reader.counted();                                                        // model of the distortion
   reader.take(sizeof(double) * std::size_t{reader.get<std::uint32_t>()});  // and its coefficients
   std::array<double, 9> k{}, r{};
   std::array<double, 12> p{};
@@ -161,8 +159,8 @@ CameraIntrinsics parse_ros_camera(std::string_view message, const std::string& n
   for (double& value : r) value = reader.get<double>();
   for (double& value : p) value = reader.get<double>();
   const bool rectified = p[0] > 0.0;
-  const std::array<double, 4> f = rectified ? std::array<double, 4>{p[0], p[5], p[2], p[6]}
-                                            : std::array<double, 4>{k[0], k[4], k[2], k[5]};
+  const std::array<double, 4> f =
+      rectified ? std::array<double, 4>{p[0], p[5], p[2], p[6]} : std::array<double, 4>{k[0], k[4], k[2], k[5]};
   const bool good = width >= 1 && height >= 1 && width <= kMostEdge && height <= kMostEdge && f[0] >= 1.0 &&
                     f[1] >= 1.0 && std::isfinite(f[0] + f[1] + f[2] + f[3]);
   if (!good) throw InputError(name + ": a CameraInfo message has no focal lengths or no size");
@@ -178,8 +176,8 @@ std::vector<RosTransform> parse_ros_transforms(std::string_view message, const s
     one.stamp = header.stamp;
     one.parent = header.frame;
     one.child = frame_name(reader.counted());
-    one.T_parent_child = take_pose(reader, name + ": the transform from " + one.child.substr(0, 60) + " to " +
-                                               one.parent.substr(0, 60));
+    one.T_parent_child =
+        take_pose(reader, name + ": the transform from " + one.child.substr(0, 60) + " to " + one.parent.substr(0, 60));
     transforms.push_back(std::move(one));
   }
   return transforms;
