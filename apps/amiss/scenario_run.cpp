@@ -4,6 +4,7 @@
 
 #include "core/result.hpp"
 #include "interrupt.hpp"
+#include "kinds.hpp"
 #include "reference_cache.hpp"
 #include "run_page.hpp"
 #include "scenario_watch.hpp"
@@ -13,37 +14,9 @@ namespace amiss::app {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-std::vector<std::string> folders_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  if (!fs::is_directory(folder)) return names;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (fs::exists(entry.path() / "model.sdf")) names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 void apply(Settings& settings, const std::vector<scenario::Setting>& differing) {
   ParamTable table = settings.table();
   for (const scenario::Setting& s : differing) table.set(s.key, s.value, s.where);
-}
-
-std::map<std::string, world::Body> load_bodies(const Resources& resources, const world::Script& script,
-                                               const world::LoadOptions& options) {
-  const std::vector<std::string> objects = folders_in(resources.objects);
-  std::map<std::string, world::Body> bodies;
-  for (const std::string& kind : scenario::kinds_of(script)) {
-    const bool is_object = std::find(objects.begin(), objects.end(), kind) != objects.end();
-    const fs::path furniture = resources.worlds / "models" / kind, own = resources.scenarios / "models" / kind;
-    const fs::path folder = is_object ? resources.objects / kind : fs::exists(furniture) ? furniture : own;
-    world::Body body = world::load_model(folder, options);
-    body.name = kind;
-    if (is_object) body.is_static = false;
-    bodies.emplace(kind, std::move(body));
-  }
-  return bodies;
 }
 
 PreparedReference reference_of(const world::World& world, const robot::Model& model, const Pose2<World, Base>& start,
@@ -85,8 +58,8 @@ bool ScenarioOutcome::as_expected() const {
 }
 
 scenario::Vocabulary vocabulary_of(const Resources& resources) {
-  scenario::Vocabulary words{folders_in(resources.objects), folders_in(resources.worlds / "models")};
-  const std::vector<std::string> own = folders_in(resources.scenarios / "models");
+  scenario::Vocabulary words{models_in(resources.objects), models_in(resources.worlds / "models")};
+  const std::vector<std::string> own = models_in(resources.scenarios / "models");
   words.furniture.insert(words.furniture.end(), own.begin(), own.end());
   return words;
 }
@@ -103,7 +76,8 @@ ScenarioOutcome run_scenario(const scenario::Scenario& scenario, bool threaded, 
   apply(settings, scenario.params);
   settings.mission.perception.time_limit_s = scenario.time_limit_s;
   if (show != nullptr) show->folder.save("params.yaml", settings.table().to_yaml());
-  auto bodies = load_bodies(resources, scenario.script, settings.world);
+  const std::vector<std::string> kinds = scenario::kinds_of(scenario.script);
+  auto bodies = load_kinds(resources, {kinds.begin(), kinds.end()}, settings.world);
   const std::vector<world::Body> movable = sim::unfix(world, scenario.script);
   Worker worker(threaded);
   sim::Simulator simulator(world, model, settings.simulator, scenario.seed, scenario.start.value_or(home), worker);

@@ -34,7 +34,7 @@ void save(const Arguments& a) {
 void add_scene_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* scene = app.add_subcommand("scene", "a run folder as a 3D scene for MRPT's SceneViewer3D");
-  scene->add_option("RUN", a->folder, "run folder of a tidy-up run")->type_name("DIR")->required();
+  scene->add_option("RUN", a->folder, "run folder of a tidy-up run, or of a scenario with --view")->type_name("DIR")->required();
   scene->add_option("--out", a->out, "the scene: .3Dscene")->type_name("FILE")->required();
   scene->add_option("--at", a->at_s, "simulated second that it shows; default: the end")->check(CLI::Range(0.0, 1e6));
   scene->callback([a, &exit_status] {

@@ -6,8 +6,9 @@
 #include "commands.hpp"
 #include "core/result.hpp"
 #include "interrupt.hpp"
+#include "kinds.hpp"
 #include "page/run_files.hpp"
-#include "resources.hpp"
+#include "progress_line.hpp"
 #include "video/chase.hpp"
 #include "video/film.hpp"
 #include "video/frame.hpp"
@@ -30,7 +31,9 @@ video::Stage make_stage(const Arguments& a, const page::Story& story) {
   world::LoadOptions load;
   for (const std::string& path : a.model_paths) load.model_paths.emplace_back(path);
   const std::string& world = a.world.empty() ? story.place.world : a.world;
-  return {world::load_world(find_world(resources, world), load), world::load_catalogue({resources.objects}, load),
+  std::set<std::string> kinds;
+  for (const auto& [t, body] : story.bodies) kinds.insert(body.kind);
+  return {world::load_world(find_world(resources, world), load), load_kinds(resources, kinds, load),
           robot::load_model(story.place.robot.empty() ? resources.robot : std::filesystem::path(story.place.robot)),
           story};
 }
@@ -43,6 +46,7 @@ int run(const Arguments& a) {
   video::Stage stage = make_stage(a, story);
   const video::FilmTimes times{a.speed, a.frames_per_s, a.from_s, story.end_s};
   const auto cameras = video::chase(story, times);
+  ProgressLine progress(!a.quiet);
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     if (interrupted()) return kInterrupted;
     const double t_s = times.at_s(i);
@@ -50,13 +54,11 @@ int run(const Arguments& a) {
     const std::string camera = seen == nullptr ? "" : page::load_picture(a.folder, *seen);
     film.add(
         video::compose(story, t_s, {stage.picture(t_s, cameras[i], video::third_person_camera()), cameras[i]}, camera));
-    if (!a.quiet && i % 25 == 0) std::cerr << "\ramiss: frame " << i + 1 << " of " << cameras.size() << std::flush;
+    progress.show("frame " + std::to_string(i + 1) + " of " + std::to_string(cameras.size()));
   }
   film.finish();
-  if (!a.quiet) {
-    std::cerr << "\r\n";
-    std::cout << a.out << "\n";
-  }
+  progress.clear();
+  if (!a.quiet) std::cout << a.out << "\n";
   return kGoalMet;
 }
 
@@ -65,7 +67,9 @@ int run(const Arguments& a) {
 void add_video_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* video = app.add_subcommand("video", "a film of a run folder: the robot from behind, its camera, its map");
-  video->add_option("RUN", a->folder, "run folder of a tidy-up run")->type_name("DIR")->required();
+  video->add_option("RUN", a->folder, "run folder of a tidy-up run, or of a scenario with --view")
+      ->type_name("DIR")
+      ->required();
   video->add_option("--out", a->out, "the film: .mp4 or .gif")->type_name("FILE")->required();
   video->add_option("--speed", a->speed, "simulated seconds in a second of the film")
       ->check(CLI::Range(0.1, 1000.0))

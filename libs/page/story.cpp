@@ -36,6 +36,7 @@ class Teller {
     }
     if (kind == "examined") examined(e);
     if (kind == "collision") note(Note::Kind::kCollision, "touched " + e.at("body").get<std::string>());
+    if (kind == "script") note(Note::Kind::kScript, e.at("text"));
     if (kind == "log") note(Note::Kind::kLog, e.at("text"));
     if (kind == "end") story.outcome = e.at("report").value("outcome", "");
   }

@@ -75,7 +75,7 @@ struct StoryRobot {
   Axis pan, tilt;
 };
 struct Note {
-  enum class Kind { kPlan, kDetected, kExamined, kFound, kCollision, kLog };
+  enum class Kind { kPlan, kDetected, kExamined, kFound, kCollision, kScript, kLog };
   Kind kind = Kind::kLog;
   std::string text;
 };

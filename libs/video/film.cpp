@@ -20,7 +20,7 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-std::string command(const std::filesystem::path& file, const FilmFormat& format, bool gif) {
+std::string command(const std::filesystem::path& file, const FilmFormat& format, bool gif, int said) {
   const std::string scale = fmt::format("scale={}:-2:flags=lanczos+accurate_rnd", format.width);
   const std::string how =
       gif ? fmt::format(
@@ -31,8 +31,17 @@ std::string command(const std::filesystem::path& file, const FilmFormat& format,
                         scale);
   return fmt::format(
       "exec ffmpeg -nostdin -hide_banner -loglevel error -y -f rawvideo -pix_fmt rgb24 -s {}x{} -r {} -i - "
-      "-threads 2 -fflags +bitexact -flags:v +bitexact {} {}",
-      kFrameWidth, kFrameHeight, format.frames_per_s, how, quoted(std::filesystem::absolute(file).string()));
+      "-threads 2 -fflags +bitexact -flags:v +bitexact {} {} >/dev/null 2>/dev/fd/{}",
+      kFrameWidth, kFrameHeight, format.frames_per_s, how, quoted(std::filesystem::absolute(file).string()), said);
+}
+
+/// What tells the cause; the lines after it follow from it.
+std::string first_line(std::FILE* file) {
+  std::string text(2000, '\0');
+  std::rewind(file);
+  text.resize(std::fread(text.data(), 1, text.size(), file));
+  text.erase(0, text.find_first_not_of(" \r\n"));
+  return text.substr(0, text.find_first_of("\r\n"));
 }
 
 }  // namespace
@@ -45,8 +54,10 @@ Film::Film(std::filesystem::path file, const FilmFormat& format) : file_(std::mo
   if (!has_ffmpeg()) throw InputError("the program ffmpeg is not installed: `apt-get install ffmpeg`");
   unfinished_ = file_;
   unfinished_ += ".unfinished";
+  said_.reset(std::tmpfile());
+  if (!said_) throw std::runtime_error("there is no temporary file to be had");
   std::signal(SIGPIPE, SIG_IGN);  // ffmpeg's end is told by the write that fails
-  pipe_ = ::popen(command(unfinished_, format, ending == ".gif").c_str(), "we");
+  pipe_ = ::popen(command(unfinished_, format, ending == ".gif", ::fileno(said_.get())).c_str(), "we");
   if (pipe_ == nullptr) fail();
 }
 
@@ -68,6 +79,12 @@ void Film::finish() {
   std::filesystem::rename(unfinished_, file_);
 }
 
-void Film::fail() const { throw std::runtime_error(file_.string() + ": ffmpeg could not write it"); }
+void Film::fail() {
+  if (pipe_ != nullptr) ::pclose(pipe_);
+  pipe_ = nullptr;
+  std::string line = first_line(said_.get());
+  if (!line.empty()) line = ": " + line;
+  throw std::runtime_error(file_.string() + ": ffmpeg could not write it" + line);
+}
 
 }  // namespace amiss::video

@@ -1,11 +1,14 @@
 // A film file from frames, by the program ffmpeg, which gets them through a pipe: .mp4 (H.264) or .gif (256 colours, a
 // palette of its own). The file is there when finish() returns, and not before.
 // in: frames of kFrameWidth x kFrameHeight     out: the file, `width` pixels wide
-// ArgumentError for another ending; InputError where ffmpeg is not installed; std::runtime_error where it fails.
+// ArgumentError for another ending; InputError where ffmpeg is not installed; std::runtime_error where it fails, with
+// the first line that it says; nothing of it goes to standard error.
 #pragma once
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "core/frames.hpp"
@@ -31,8 +34,13 @@ class Film {
   void finish();
 
  private:
-  [[noreturn]] void fail() const;
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  /// Ends ffmpeg where it still runs.
+  [[noreturn]] void fail();
   std::filesystem::path file_, unfinished_;
+  std::unique_ptr<std::FILE, Closer> said_;  // by ffmpeg; without a name
   std::FILE* pipe_ = nullptr;
 };
 

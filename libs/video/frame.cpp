@@ -39,15 +39,23 @@ void draw_camera(cv::Mat panel, std::string_view jpeg) {
   put_text(panel, "its camera", {10, 18}, 10.0, kText);
 }
 
-void draw_title(cv::Mat view, const page::Story& story, double t_s) {
+/// Of a scripted run only what was found is told: not all that its script brings in is to be found.
+std::string found_text(const page::Story& story, double t_s) {
   const auto* objects = page::latest(story.objects, t_s);
-  const auto found =
-      objects == nullptr ? 0 : std::count_if(objects->begin(), objects->end(), [](const auto& o) { return o.found; });
+  if (objects == nullptr || objects->empty()) return "";
+  const auto found = std::count_if(objects->begin(), objects->end(), [](const auto& o) { return o.found; });
+  const bool scripted = std::any_of(story.notes.begin(), story.notes.end(),
+                                    [](const auto& n) { return n.value.kind == page::Note::Kind::kScript; });
+  return scripted ? fmt::format("{} found", found) : fmt::format("{} of {} found", found, objects->size());
+}
+
+void draw_title(cv::Mat view, const page::Story& story, double t_s) {
   const std::string left = fmt::format("{}, seed {}, {} search", story.world, story.seed, story.method);
-  const std::string right = fmt::format("{} of {} found", found, objects == nullptr ? 0 : objects->size());
+  const std::string right = found_text(story, t_s);
   shade(view, {0, 0, view.cols, 36}, kBackground, 0.6);
-  put_text(view, left, {14, 24}, 13.0, kText);
-  put_text(view, right, {view.cols - 14 - text_width(right, 13.0), 24}, 13.0, kGreen * 1.5);
+  const int begin = view.cols - 14 - text_width(right, 13.0);
+  put_text(view, wrapped(left, 13.0, begin - 28, 1).front(), {14, 24}, 13.0, kText);
+  put_text(view, right, {begin, 24}, 13.0, kGreen * 1.5);
 }
 
 }  // namespace

@@ -48,15 +48,19 @@ std::vector<world::Body> link_bodies(const robot::Model& model) {
   return bodies;
 }
 
-Stage::Stage(world::World world, const world::Catalogue& catalogue, const robot::Model& model, const page::Story& story)
+Stage::Stage(world::World world, const std::map<std::string, world::Body>& kinds, const robot::Model& model,
+             const page::Story& story)
     : story_(story), model_(model), renderer_(opened(world)), poses_(sim::start_poses(world)) {
   std::map<std::string, std::size_t> own;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) own[world.bodies[i].name] = i;
   for (const auto& [t, body] : story.bodies) {
     if (bodies_.contains(body.name) || !body.T_map_body) continue;
-    const world::CatalogueEntry* entry = body.kind.empty() ? nullptr : catalogue.find(body.kind);
-    if (entry != nullptr) bodies_[body.name] = renderer_.add_body(entry->body);
-    if (body.kind.empty() && own.contains(body.name)) bodies_[body.name] = own[body.name];
+    const auto kind = kinds.find(body.kind);
+    if (own.contains(body.name)) {
+      bodies_[body.name] = own[body.name];
+    } else if (kind != kinds.end()) {
+      bodies_[body.name] = renderer_.add_body(kind->second);
+    }
   }
   first_link_ = renderer_.body_count();
   for (const world::Body& link : link_bodies(model)) renderer_.add_body(link);

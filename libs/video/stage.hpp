@@ -1,6 +1,7 @@
 // The place of a run with the robot and all that lies about as they were at an instant, seen by a camera anywhere.
-// World, catalogue, robot, Story -> pictures (colour and depth), by OpenGL in software. World frame, metres.
-// Static bodies are cut open (see section.hpp). Objects that the catalogue does not have are left out.
+// World, models of what was brought in by kind, robot, Story -> pictures (colour and depth), by OpenGL in software.
+// World frame, metres. Static bodies are cut open (see section.hpp). What the world has and the story moves (a door, a
+// chair) is shown where the story says; what is of no known kind and not of the world is left out.
 #pragma once
 
 #include <map>
@@ -9,14 +10,15 @@
 
 #include "page/story.hpp"
 #include "sim/renderer.hpp"
-#include "world/catalogue.hpp"
+#include "world/world.hpp"
 
 namespace amiss::video {
 
 class Stage {
  public:
   /// `story` outlives the stage.
-  Stage(world::World world, const world::Catalogue& catalogue, const robot::Model& model, const page::Story& story);
+  Stage(world::World world, const std::map<std::string, world::Body>& kinds, const robot::Model& model,
+        const page::Story& story);
 
   [[nodiscard]] sim::RenderedFrame picture(double t_s, const Transform<World, Camera>& T_world_camera,
                                            const CameraIntrinsics& camera);

@@ -55,6 +55,10 @@ void expect_film(const std::filesystem::path& folder, const std::string& run) {
     return;
   }
   ASSERT_EQ(made.status, 0) << made.err;
+  const Ended nowhere = test::run({"video", run, "--out", "nowhere/film.mp4", "--speed", "20"}, folder);
+  EXPECT_NE(nowhere.status, 0);
+  EXPECT_EQ(nowhere.err.find("amiss: nowhere/film.mp4: ffmpeg could not write it: "), 0U) << nowhere.err;
+  EXPECT_EQ(nowhere.err.find('\n') + 1, nowhere.err.size()) << "one sentence: " << nowhere.err;
   const std::string probe = "ffprobe -v error -show_entries stream=width,height,duration -of csv=p=0 '" +
                             (folder / "film.mp4").string() + "' > '" + (folder / "probed").string() + "'";
   ASSERT_EQ(std::system(probe.c_str()), 0);

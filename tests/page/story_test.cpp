@@ -26,6 +26,7 @@ TEST_F(StoryOf, TellsWhatWasRecorded) {
   run.during = [&](mission::Sinks& sinks, int i) {
     if (i == 60) run.bodies.clear();
     if (i == 60) run.objects[0].found = true;
+    if (i == 80) run.script.push_back({run.now, "mug is taken away"});
     const std::vector<segment::Segment> segments(2);
     if (i == 60) sinks.examined({0, run.now, &run.frame, {}, &segments, 0.0, {}});
   };
@@ -43,9 +44,11 @@ TEST_F(StoryOf, TellsWhatWasRecorded) {
   EXPECT_FALSE(latest(story.bodies, 1.5)->T_map_body.has_value()) << "it is gone";
   EXPECT_FALSE(latest(story.objects, 1.0)->front().found);
   EXPECT_TRUE(latest(story.objects, 1.5)->front().found);
-  ASSERT_EQ(story.notes.size(), 2U);
+  ASSERT_EQ(story.notes.size(), 3U);
   EXPECT_EQ(story.notes[0].value.text, "picture segmented: 2 segments");
   EXPECT_EQ(story.notes[1].value.text, "found mug");
+  EXPECT_EQ(story.notes[2].value.kind, Note::Kind::kScript);
+  EXPECT_EQ(story.notes[2].value.text, "mug is taken away");
 }
 
 TEST_F(StoryOf, KeepsWhatTheMapHeldAndWhatWasDecided) {

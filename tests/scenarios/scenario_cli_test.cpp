@@ -74,6 +74,11 @@ TEST_F(ScenarioCli, WatchedItLeavesARunFolder) {
   EXPECT_NE(report.find("\"as_expected\": false"), std::string::npos) << report;
   EXPECT_NE(folder.read("run/report.html").find("\"as_expected\":false"), std::string::npos);
   EXPECT_EQ(scenario(text, {"--view", "--prove"}).status, 2);
+  if (std::system("command -v ffmpeg >/dev/null") != 0) return;
+  const Ended film =
+      test::run({"video", "run", "--out", "film.gif", "--speed", "10", "--fps", "2", "--width", "160"}, folder.path());
+  EXPECT_EQ(film.status, 0) << film.err;
+  EXPECT_EQ(folder.read("film.gif").substr(0, 6), "GIF89a");
 }
 
 struct RandomScenarioCli : ScenarioCli {

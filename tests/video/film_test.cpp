@@ -57,6 +57,21 @@ TEST(Film, LeavesNothingWhenItIsGivenUp) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(Film, SaysInOneSentenceWhyFfmpegFailed) {
+  if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  const test::TemporaryFolder folder;
+  testing::internal::CaptureStderr();
+  const std::string said = test::sentence_of<std::runtime_error>([&] {
+    Film film(folder.path() / "nowhere" / "film.mp4", {10, 320});
+    for (int i = 0; i < 3; ++i) film.add(std::vector<Rgb>(static_cast<std::size_t>(kFrameWidth) * kFrameHeight));
+    film.finish();
+  });
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(said.find((folder.path() / "nowhere" / "film.mp4: ffmpeg could not write it: ").string()), 0U) << said;
+  EXPECT_NE(said.find("No such file or directory"), std::string::npos) << said;
+  EXPECT_EQ(said.find('\n'), std::string::npos);
+}
+
 TEST(Film, RefusesOtherEndings) { EXPECT_THROW(Film("film.avi", {}), ArgumentError); }
 
 }  // namespace

@@ -84,6 +84,32 @@ TEST_F(FrameOf, TimelineFillsUp) {
   EXPECT_NEAR(late->x(), 32 + 1216 * 0.5, 8.0);
 }
 
+TEST_F(FrameOf, OfAScriptedRunOnlyWhatWasFoundIsCounted) {
+  const auto told = compose(story, 7.0, view, "");
+  story.notes.push_back({8.0, {page::Note::Kind::kScript, "anna walks"}});
+  const auto scripted = compose(story, 7.0, view, "");
+  int differing = 0;  // "1 of 1 found", "1 found": the title is shorter
+  for (int u = 700; u < 848; ++u) differing += at(told, u, 40) == at(scripted, u, 40) ? 0 : 1;
+  EXPECT_GT(differing, 0);
+}
+
+TEST_F(FrameOf, LongTextsStayInTheirPlaces) {
+  std::string text = "region 7";
+  for (int i = 0; i < 40; ++i) text += " and what else there is to be told";
+  story.notes = {{1.0, {page::Note::Kind::kFound, text}}};
+  const auto before = compose(story, 0.5, view, "");
+  const auto after = compose(story, 1.0, view, "");
+  const auto green = [](const Rgb& p) { return p.g > p.r + 60 && p.g > p.b + 20; };
+  const auto words = middle_of(after, 16, 620, 1264, 668, green);
+  ASSERT_TRUE(words);
+  EXPECT_NEAR(words->x(), 0.5 * (182 + 1190), 40.0) << "from the clock to the length of the run";
+  EXPECT_FALSE(middle_of(after, 1200, 620, 1280, 660, green)) << "the length of the run stays readable";
+  EXPECT_EQ(at(before, 1270, 640), at(after, 1270, 640)) << "nothing beyond the strip";
+  story.world = std::string(300, 'w');
+  const auto bright = [](const Rgb& p) { return p.r > 200 && p.g > 200 && p.b > 200; };
+  EXPECT_FALSE(middle_of(compose(story, 1.0, view, ""), 745, 16, 848, 50, bright)) << "what was found stays readable";
+}
+
 TEST_F(FrameOf, IsAFunctionOfItsInput) { EXPECT_EQ(compose(story, 3.0, view, ""), compose(story, 3.0, view, "")); }
 
 TEST_F(FrameOf, RefusesWhatIsNoPicture) {

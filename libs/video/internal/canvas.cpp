@@ -23,6 +23,38 @@ int text_width(const std::string& text, double height_px) {
   return cv::getTextSize(printable(text), kFont, height_px / kCapital_px, 1, nullptr).width;
 }
 
+namespace {
+
+/// As much of a word or line as fits, with dots where something is left out.
+std::string cut(std::string text, double height_px, int width) {
+  if (text_width(text, height_px) <= width) return text;
+  while (!text.empty() && text_width(text + "...", height_px) > width) text.pop_back();
+  return text + "...";
+}
+
+}  // namespace
+
+std::vector<std::string> wrapped(const std::string& text, double height_px, int width, std::size_t most) {
+  std::vector<std::string> lines(1);
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || text_width(longer, height_px) <= width) {
+      lines.back() = longer;
+    } else if (lines.size() < most) {
+      lines.push_back(word);
+    } else {
+      lines.back() += " " + text.substr(begin);
+      break;
+    }
+    begin = end + 1;
+  }
+  for (std::string& line : lines) line = cut(line, height_px, width);
+  return lines;
+}
+
 void put_text(cv::Mat& image, const std::string& text, cv::Point at, double height_px, const cv::Scalar& colour) {
   const double scale = kFiner * height_px / kCapital_px;
   const int stroke = std::max(1, static_cast<int>(kFiner * height_px / 9.0));

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
 namespace amiss::video::internal {
 
@@ -19,6 +20,9 @@ inline constexpr int kShift = 4;  // fixed point of OpenCV's drawing, for soft e
 
 /// The width of a text [px].
 [[nodiscard]] int text_width(const std::string& text, double height_px);
+/// The text in lines of at most `width` pixels, broken between words; what does not fit into `most` lines is cut, with
+/// dots. At least one line.
+[[nodiscard]] std::vector<std::string> wrapped(const std::string& text, double height_px, int width, std::size_t most);
 /// `at`: left end of the base line.
 void put_text(cv::Mat& image, const std::string& text, cv::Point at, double height_px, const cv::Scalar& colour);
 /// A box of which `part` (0 .. 1) covers what is below.
