@@ -51,6 +51,7 @@ Story load_story(const fs::path& folder) {
 
 std::string load_picture(const fs::path& folder, Slice slice) {
   const fs::path file = folder / Recorder::kCamera;
+  if (!fs::is_regular_file(file)) throw InputError(file.string() + ": is not there; the run's pictures are in it");
   std::ifstream stream(file, std::ios::binary);
   stream.seekg(0, std::ios::end);
   const auto size = static_cast<std::size_t>(std::max<std::streamoff>(0, stream.tellg()));

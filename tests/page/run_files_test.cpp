@@ -18,6 +18,9 @@ TEST(RunFiles, ReadWhatARecorderLeft) {
   EXPECT_EQ(load_picture(folder.path(), {0, 2}), "\xff\xd8");
   EXPECT_THROW((void)load_picture(folder.path(), {0, folder.read("camera.bin").size() + 1}), InputError);
   EXPECT_THROW((void)load_picture(folder.path(), {~std::size_t{0}, 2}), InputError);
+  std::filesystem::remove(folder.path() / "camera.bin");
+  const std::string said = test::sentence_of<InputError>([&] { (void)load_picture(folder.path(), {0, 2}); });
+  EXPECT_NE(said.find("camera.bin: is not there"), std::string::npos) << said;
 }
 
 TEST(RunFiles, ARunThatWasKilledLosesItsLastLineOnly) {
