@@ -127,6 +127,9 @@ int run(const Arguments& a) {
   recording::BagSetting bag{a.bag, {}};
   if (!a.start.empty()) bag.T_map_base = {a.start.at(0), a.start.at(1), radians(a.start.at(2))};
   const auto source = recording::open_source(a.file, bag);
+  if (!a.start.empty() && source->tells_decisions()) {
+    throw InputError(a.file + ": is the recording of a run, which knows where it began; --start is for bags");
+  }
   const auto [settings, reference] = basis_of(a, *source);
   std::optional<report::RunFolder> folder;
   if (!a.out.empty()) folder.emplace(fs::path(a.out));
@@ -162,8 +165,10 @@ void add_bag_options(CLI::App& command, Arguments& a) {
   };
   add("--odometry-topic", a.bag.odometry_topic, "nav_msgs/Odometry; where it is missing, /tf says the same");
   add("--scan-topic", a.bag.scan_topic, "sensor_msgs/LaserScan");
-  add("--depth-topic", a.bag.depth_topic, "sensor_msgs/Image, 16UC1 in mm or 32FC1 in m, its camera_info beside it");
-  add("--colour-topic", a.bag.colour_topic, "sensor_msgs/Image, registered; without it nothing is segmented");
+  add("--depth-topic", a.bag.depth_topic,
+      "sensor_msgs/Image, 16UC1 in mm or 32FC1 in m, its camera_info beside it; else NAME/compressedDepth");
+  add("--colour-topic", a.bag.colour_topic,
+      "sensor_msgs/Image, registered, else NAME/compressed; without it nothing is segmented");
   add("--odom-frame", a.bag.odom_frame, "frame of /tf in which odometry moves the robot");
   add("--base-frame", a.bag.base_frame, "frame of /tf on the floor in the middle of the robot");
   command

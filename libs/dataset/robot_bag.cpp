@@ -137,9 +137,16 @@ class RobotBag::State {
     T_base_laser = {*T};
   }
 
+  /// The packed one where there is no other.
+  [[nodiscard]] const PlacedTopic& depth_topic() {
+    const auto packed = topics_.packed.find(options_.depth_topic + "/compressedDepth");
+    is_depth_packed_ = !topics_.depths.contains(options_.depth_topic) && packed != topics_.packed.end();
+    if (is_depth_packed_) return packed->second;
+    return topic_of(topics_.depths, options_.depth_topic, "sensor_msgs/Image (16UC1, mono16, 32FC1)", name_);
+  }
+
   void place_frames() {
-    const PlacedTopic& depth =
-        topic_of(topics_.depths, options_.depth_topic, "sensor_msgs/Image (16UC1, mono16, 32FC1)", name_);
+    const PlacedTopic& depth = depth_topic();
     need_place(depth.frame);
     const CameraIntrinsics* camera = camera_beside(topics_.cameras, options_.depth_topic);
     if (camera == nullptr) throw InputError(name_ + ": has no CameraInfo beside '" + options_.depth_topic + "'");
@@ -167,9 +174,11 @@ class RobotBag::State {
   }
 
   /// By the index of the depth image.
-  [[nodiscard]] std::map<std::size_t, BagPlace> colours_of(const PlacedTopic& depth) const {
-    const auto found = topics_.colours.find(options_.colour_topic);
-    if (found == topics_.colours.end()) return {};
+  [[nodiscard]] std::map<std::size_t, BagPlace> colours_of(const PlacedTopic& depth) {
+    auto found = topics_.colours.find(options_.colour_topic);
+    is_colour_packed_ = found == topics_.colours.end();
+    if (is_colour_packed_) found = topics_.packed.find(options_.colour_topic + "/compressed");
+    if (is_colour_packed_ && found == topics_.packed.end()) return {};
     const auto stamps_of = [](const PlacedTopic& topic) {
       std::vector<Stamp> stamps;
       for (const StampedPlace& one : topic.places) stamps.push_back(one.stamp);
@@ -189,9 +198,14 @@ class RobotBag::State {
   }
 
   RobotMoment::Frame load(const PlacedFrame& placed) {
-    DepthImage depth = parse_ros_depth(read_(placed.depth.place), kMillimetres, name_);
+    const std::string depth_message = read_(placed.depth.place);
+    DepthImage depth = is_depth_packed_ ? parse_ros_packed_depth(depth_message, kMillimetres, name_)
+                                        : parse_ros_depth(depth_message, kMillimetres, name_);
     ColourImage colour{depth.width, depth.height, {}};
-    if (placed.colour) colour = parse_ros_colour(read_(*placed.colour), name_);
+    if (placed.colour) {
+      const std::string message = read_(*placed.colour);
+      colour = is_colour_packed_ ? parse_ros_packed_colour(message, name_) : parse_ros_colour(message, name_);
+    }
     return {frame_of(std::move(colour), std::move(depth), camera_, shifted(placed.depth.stamp), name_),
             placed.T_base_camera, placed.T_odom_base};
   }
@@ -202,6 +216,7 @@ class RobotBag::State {
   BagTopics topics_;
   MessageReader read_;
   CameraIntrinsics camera_;
+  bool is_depth_packed_ = false, is_colour_packed_ = false;
   Poses poses_;
   std::map<Stamp, Places> moments_;
   std::map<Stamp, Places>::const_iterator next_;

@@ -2,8 +2,9 @@
 // their own clock.
 //
 // in: bag (2.0; plain, bz2 or lz4): nav_msgs/Odometry (where there is none, /tf's odom -> base), sensor_msgs/LaserScan,
-// sensor_msgs/Image of registered depth (16UC1 or mono16 in mm, 32FC1 in m) and of colour, CameraInfo beside the depth,
-// /tf and /tf_static. The topics' defaults are the HSR's.
+// sensor_msgs/Image of registered depth (16UC1 or mono16 in mm, 32FC1 in m) and of colour, or CompressedImage of the
+// same topics with /compressedDepth (16UC1) and /compressed behind their names, CameraInfo beside the depth, /tf and
+// /tf_static. The topics' defaults are the HSR's.
 // out: moments, one for each message of odometry and one for each scan; SI units, NaN where nothing came back, stamps
 // from 0 at the first moment. Odometry is interpolated at scans and frames. Scans and frames without odometry round
 // them (at most 0.5 s apart), and frames without a place on the robot, are dropped. InputError names the file and what

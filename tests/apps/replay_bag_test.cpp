@@ -152,6 +152,9 @@ TEST_F(ReplayBag, SoDoDepthInMetresAndOdometryFromTransforms) {
   const Ended replayed = replay_bag({.depth_encoding = "32FC1", .odometry = false}, {"--start", "0,0,0"});
   ASSERT_EQ(replayed.status, 0) << replayed.err;
   expect_regions_of_the_run(nlohmann::json::parse(replayed.out), of_run);
+  const Ended elsewhere = replay({"a.bag", "--reference", "reference", "--start=1,0.5,40"});
+  ASSERT_EQ(elsewhere.status, 0) << elsewhere.err;
+  expect_regions_of_the_run(nlohmann::json::parse(elsewhere.out), of_run);  // it finds itself
 }
 
 TEST_F(ReplayBag, SaysWhatIsMissing) {
@@ -166,6 +169,7 @@ TEST_F(ReplayBag, SaysWhatIsMissing) {
                  "/tf and /tf_static do not say where the frame 'head_rgbd_sensor_rgb_frame' is in 'base_footprint'");
   expect_refused(replay_bag({.most_periods = 60}, {"--depth-topic", "/depth"}),
                  "has no topic '/depth' of sensor_msgs/Image (16UC1, mono16, 32FC1); there are: /hsrb/");
+  EXPECT_NE(replay({"run/recording.mcap", "--start", "0,0,0"}).err.find("--start is for bags"), std::string::npos);
   expect_refused(replay({"a.bag"}), "holds no reference; --reference DIR names a folder of `amiss map`");
   const std::string whole = folder->read("a.bag");
   folder->write("a.bag", std::string_view(whole).substr(0, whole.size() / 2));

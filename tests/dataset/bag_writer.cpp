@@ -6,6 +6,7 @@
 #include <ros/serialization.h>
 #include <roslz4/lz4s.h>
 #include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_msgs/TFMessage.h>
@@ -98,6 +99,15 @@ void BagWriter::write(const std::string& topic, const BagImage& image) {
   message.encoding = image.encoding;
   message.step = image.step;
   message.data = image.data;
+  add(topic, message);
+}
+
+void BagWriter::write(const std::string& topic, const BagPacked& image) {
+  sensor_msgs::CompressedImage message;
+  message.header.stamp = ros::Time(image.stamp_s);
+  message.header.frame_id = image.frame;
+  message.format = image.format;
+  message.data.assign(image.data.begin(), image.data.end());
   add(topic, message);
 }
 

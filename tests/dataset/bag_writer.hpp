@@ -15,6 +15,11 @@ struct BagImage {
   std::uint32_t width = 0, height = 0, step = 0;
   std::vector<std::uint8_t> data;
 };
+/// CompressedImage.
+struct BagPacked {
+  double stamp_s = 0.0;
+  std::string frame, format, data;
+};
 struct BagTransform {
   double stamp_s = 0.0;
   std::string parent, child;
@@ -42,6 +47,7 @@ class BagWriter {
  public:
   explicit BagWriter(std::string compression);  // none, bz2, lz4; another word is written over plain bytes
   void write(const std::string& topic, const BagImage& image);
+  void write(const std::string& topic, const BagPacked& image);
   void write(const std::string& topic, const BagTransform& transform);
   void write(const std::string& topic, const BagCamera& camera);
   void write(const std::string& topic, const BagScan& scan);

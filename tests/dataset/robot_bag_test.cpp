@@ -11,6 +11,7 @@
 #include "core/result.hpp"
 #include "core/temporary_folder.hpp"
 #include "dataset/bag_writer.hpp"
+#include "dataset/internal/images.hpp"
 
 namespace amiss::dataset {
 namespace {
@@ -24,8 +25,27 @@ test::BagPose turned(double stamp_s, const char* parent, const char* child, doub
 struct Contents {
   std::string compression = "none";
   bool odometry = true, colours = true, laser_frame = true;
+  std::string packed = {};  // format of packed depth; then colours are packed too
   double frame_step_s = 0.1;
 };
+
+constexpr const char *kDepth = "/hsrb/head_rgbd_sensor/depth_registered/image_rect_raw",
+                     *kColour = "/hsrb/head_rgbd_sensor/rgb/image_rect_color";
+
+/// Depths of 1 m, none, 1 mm, none...; a grey of 9.
+void write_images(test::BagWriter& bag, double t, bool colours) {
+  bag.write(kDepth, test::BagImage{t, "camera", "16UC1", 4, 2, 8, {0xe8, 3, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}});
+  if (!colours) return;
+  bag.write(kColour, test::BagImage{t + 0.004, "camera", "rgb8", 4, 2, 12, std::vector<std::uint8_t>(24, 9)});
+}
+
+void write_packed(test::BagWriter& bag, double t, const std::string& format) {
+  const std::string depth = depth_png_bytes({1.0F, 0, 0.001F, 0, 0, 0, 0, 0}, 4, 2, 1000.0);
+  const std::string colour = png_bytes(std::vector<Rgb>(8, Rgb{9, 9, 9}), 4, 2);
+  bag.write(std::string(kDepth) + "/compressedDepth",
+            test::BagPacked{t, "camera", format, std::string(12, '\0') + depth});
+  bag.write(std::string(kColour) + "/compressed", test::BagPacked{t + 0.004, "camera", "rgb8; png compressed", colour});
+}
 
 /// The head hangs on a torso that hangs on the base and turns by 1 rad/s.
 std::string bag_bytes(const Contents& contents) {
@@ -44,11 +64,7 @@ std::string bag_bytes(const Contents& contents) {
             t + 0.025, "laser", -1.0, 0.5, 0.05, 20.0, {1.5F, 0.01F, 25.0F, std::numeric_limits<float>::infinity()}});
   }
   for (double t = 100.05; t < 101.0; t += contents.frame_step_s) {
-    bag.write(std::string(kRgbd) + "depth_registered/image_rect_raw",
-              test::BagImage{t, "camera", "16UC1", 4, 2, 8, {0xe8, 0x03, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}});
-    if (!contents.colours) continue;
-    bag.write(std::string(kRgbd) + "rgb/image_rect_color",
-              test::BagImage{t + 0.004, "camera", "rgb8", 4, 2, 12, std::vector<std::uint8_t>(24, 9)});
+    contents.packed.empty() ? write_images(bag, t, contents.colours) : write_packed(bag, t, contents.packed);
   }
   return bag.bytes();
 }
@@ -103,6 +119,19 @@ TEST_F(RobotBagTest, FramesComeWithTheirPlaceOnTheRobotAtTheirOwnTime) {
   EXPECT_NEAR(T_odom_base.x_m, 0.05, 1e-6);
   const Eigen::AngleAxisd turn(T_base_camera.T.linear());
   EXPECT_NEAR(turn.angle(), M_PI_2 + 0.05, 1e-6) << "between two transforms, and the torso's";
+}
+
+TEST_F(RobotBagTest, PackedImagesAreReadWhereThereAreNoOthers) {
+  const auto all = moments(written({.packed = "16UC1; compressedDepth png"}));
+  const RgbdFrame& frame = all.at(2).frame.value().frame;
+  EXPECT_EQ(frame.depth_m[0], 1.0F);
+  EXPECT_TRUE(std::isnan(frame.depth_m[1]));
+  EXPECT_EQ(frame.depth_m[2], 0.001F);
+  EXPECT_TRUE(frame.colour.at(7) == (Rgb{9, 9, 9}));
+  const std::string said = why({.packed = "32FC1; compressedDepth"});
+  EXPECT_NE(said.find("depth is packed as '32FC1; compressedDepth'; '16UC1; compressedDepth' (png) is allowed"),
+            std::string::npos)
+      << said;
 }
 
 TEST_F(RobotBagTest, FramesThatComeTooSoonAreLeftOut) {

@@ -33,6 +33,8 @@ BagTopics topics_of(const BagFile& bag, const std::string& name) {
       const bool is_known_depth = topics.depths.contains(connection.topic);
       const bool is_known = is_known_depth || topics.colours.contains(connection.topic);
       add_to((is_known ? is_known_depth : is_ros_depth(message, where)) ? topics.depths : topics.colours);
+    } else if (connection.type == "sensor_msgs/CompressedImage") {
+      add_to(topics.packed);
     } else if (connection.type == "sensor_msgs/LaserScan") {
       add_to(topics.scans);
     } else if (connection.type == "nav_msgs/Odometry") {
@@ -44,7 +46,7 @@ BagTopics topics_of(const BagFile& bag, const std::string& name) {
       for (const RosTransform& one : parse_ros_transforms(message, where)) topics.frames.add(one, fixed);
     }
   });
-  for (auto* those : {&topics.depths, &topics.colours, &topics.scans, &topics.odometries}) sort_by_time(*those);
+  for (auto* those : {&topics.depths, &topics.colours, &topics.packed, &topics.scans, &topics.odometries}) sort_by_time(*those);
   return topics;
 }
 

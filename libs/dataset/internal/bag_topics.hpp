@@ -22,6 +22,7 @@ struct PlacedTopic {
 };
 struct BagTopics {
   std::map<std::string, PlacedTopic> depths, colours, scans, odometries;
+  std::map<std::string, PlacedTopic> packed;  // CompressedImage of either kind
   std::map<std::string, CameraIntrinsics> cameras;
   FrameTree frames;
 };

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kMostEdge = 8192;  // pixels
 constexpr std::size_t kDepthBytes = 2, kFloatBytes = 4;
+constexpr std::size_t kPackedDepthHead = 12;  // a kind and two numbers that only 32FC1 needs
 constexpr std::uint32_t kMostBeams = 1U << 16U;
 
 Stamp take_stamp(ByteReader& reader) {
@@ -145,6 +146,25 @@ DepthImage parse_ros_depth(std::string_view message, double scale, const std::st
     }
   }
   return image;
+}
+
+ColourImage parse_ros_packed_colour(std::string_view message, const std::string& name) {
+  ByteReader reader(message, name);
+  take_header(reader);
+  reader.counted();  // what was packed, and how
+  return decode_colour(std::string(reader.counted()), name);
+}
+
+DepthImage parse_ros_packed_depth(std::string_view message, double scale, const std::string& name) {
+  ByteReader reader(message, name);
+  take_header(reader);
+  const std::string_view format = reader.counted();
+  if (!format.starts_with("16UC1;") || format.find("rvl") != std::string_view::npos) {
+    throw InputError(name + ": depth is packed as '" + std::string(format.substr(0, 40)) +
+                     "'; '16UC1; compressedDepth' (png) is allowed");
+  }
+  const std::string_view data = reader.counted();
+  return decode_depth(std::string(data.substr(std::min(data.size(), kPackedDepthHead))), scale, name);
 }
 
 CameraIntrinsics parse_ros_camera(std::string_view message, const std::string& name) {

@@ -1,7 +1,7 @@
 // The messages of ROS 1 that a recording is made of, from their bytes.
-// sensor_msgs/Image, CameraInfo, LaserScan, nav_msgs/Odometry, tf2_msgs/TFMessage (tf/tfMessage) -> values; InputError
-// "NAME: ..." for bytes that are none, images whose rows do not fit, rotations without length, numbers that are not
-// finite.
+// sensor_msgs/Image, CompressedImage, CameraInfo, LaserScan, nav_msgs/Odometry, tf2_msgs/TFMessage (tf/tfMessage) ->
+// values; InputError "NAME: ..." for bytes that are none, images whose rows do not fit, rotations without length,
+// numbers that are not finite.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -25,6 +25,10 @@ struct RosHeader {
 /// 16UC1 and mono16 (`scale` units are a metre), 32FC1 (metres).
 [[nodiscard]] DepthImage parse_ros_depth(std::string_view message, double scale, const std::string& name);
 [[nodiscard]] bool is_ros_depth(std::string_view message, const std::string& name);
+/// Of a CompressedImage: JPEG or PNG.
+[[nodiscard]] ColourImage parse_ros_packed_colour(std::string_view message, const std::string& name);
+/// Of a CompressedImage by compressed_depth_image_transport: 16UC1 as PNG.
+[[nodiscard]] DepthImage parse_ros_packed_depth(std::string_view message, double scale, const std::string& name);
 /// Of the rectified image where the message says it (P), else K.
 [[nodiscard]] CameraIntrinsics parse_ros_camera(std::string_view message, const std::string& name);
 
