@@ -1,9 +1,17 @@
 #include "core/worker.hpp"
 
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 namespace amiss {
 
-Worker::Worker(bool threaded) {
-  if (threaded) thread_ = std::thread([this] { loop(); });
+Worker::Worker(bool threaded, int niceness) {
+  if (!threaded) return;
+  thread_ = std::thread([this, niceness] {
+    if (niceness > 0) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), niceness);
+    loop();
+  });
 }
 
 Worker::~Worker() {

@@ -23,14 +23,6 @@ std::uint32_t crc_of(std::string_view bytes, std::uint32_t so_far = 0) {
 
 std::uint64_t ns_of(Stamp stamp) { return static_cast<std::uint64_t>(stamp.time_since_epoch().count()); }
 
-std::string compressed(std::string_view bytes) {
-  std::string out(ZSTD_compressBound(bytes.size()), '\0');
-  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), kLevel);
-  if (ZSTD_isError(size) != 0) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
-  out.resize(size);
-  return out;
-}
-
 void put_counts(std::string& out, const std::map<ChannelId, std::uint64_t>& counts) {
   put(out, static_cast<std::uint32_t>(counts.size() * (sizeof(ChannelId) + sizeof(std::uint64_t))));
   for (const auto& [channel, count] : counts) {
@@ -41,8 +33,23 @@ void put_counts(std::string& out, const std::map<ChannelId, std::uint64_t>& coun
 
 }  // namespace
 
+/// Its memory serves one chunk after the other.
+struct McapWriter::Compressor {
+  /// Until the next call.
+  std::string_view compressed(std::string_view bytes) {
+    if (const std::size_t most = ZSTD_compressBound(bytes.size()); most > room.size()) room.resize(most);
+    const std::size_t size =
+        ZSTD_compressCCtx(context.get(), room.data(), room.size(), bytes.data(), bytes.size(), kLevel);
+    if (ZSTD_isError(size) != 0) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
+    return {room.data(), size};
+  }
+
+  std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context{ZSTD_createCCtx(), &ZSTD_freeCCtx};
+  std::string room;
+};
+
 McapWriter::McapWriter(const std::filesystem::path& file, std::string_view profile)
-    : path_(file), file_(file, std::ios::binary | std::ios::trunc) {
+    : path_(file), file_(file, std::ios::binary | std::ios::trunc), compressor_(std::make_unique<Compressor>()) {
   if (!file_) throw std::runtime_error(file.string() + ": cannot be written");
   std::string head(kMagic), content;
   put_string(content, profile);
@@ -114,22 +121,22 @@ void McapWriter::flush() {
 }
 
 void McapWriter::write_chunk_record(ChunkIndex& index) {
-  const std::string records = compressed(chunk_);
-  std::string content;
+  const std::string_view records = compressor_->compressed(chunk_);
+  std::string content, head;
   put(content, index.start_ns);
   put(content, index.end_ns);
   put(content, static_cast<std::uint64_t>(chunk_.size()));
   put(content, crc_of(chunk_));
   put_string(content, kCompression);
   put(content, static_cast<std::uint64_t>(records.size()));
-  content += records;
-  std::string record;
-  put_record(record, Op::kChunk, content);
+  put(head, static_cast<std::uint8_t>(Op::kChunk));
+  put(head, static_cast<std::uint64_t>(content.size() + records.size()));
   index.offset = written_;
-  index.length = record.size();
+  index.length = head.size() + content.size() + records.size();
   index.compressed = records.size();
   index.uncompressed = chunk_.size();
-  append(record);
+  append(head + content);
+  append(records);
 }
 
 void McapWriter::write_message_indexes(ChunkIndex& index) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,7 @@ class McapWriter {
   struct Entry {
     std::uint64_t stamp_ns, offset;
   };
+  struct Compressor;
 
   void append(std::string_view bytes);
   void write_chunk_record(ChunkIndex& index);
@@ -66,6 +68,7 @@ class McapWriter {
   std::vector<std::string> schemas_, channels_;  // their records
   std::size_t schemas_told_ = 0, channels_told_ = 0;
   std::string chunk_;
+  std::unique_ptr<Compressor> compressor_;
   std::map<ChannelId, std::vector<Entry>> chunk_entries_;
   std::vector<ChunkIndex> chunks_;
   std::vector<AttachmentIndex> attachments_;

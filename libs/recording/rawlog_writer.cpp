@@ -1,26 +1,29 @@
 #include "recording/rawlog_writer.hpp"
 
-#include <mrpt/io/CFileGZOutputStream.h>
+#include <libdeflate.h>
+#include <mrpt/io/CMemoryStream.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRawDAQ.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include <cmath>
-#include <future>
+#include <fstream>
 #include <stdexcept>
 
-#include "core/worker.hpp"
+#include "recording/batches.hpp"
 #include "recording/internal/decisions.hpp"
 #include "recording/internal/exact_depth.hpp"
+#include "recording/internal/mcap_bytes.hpp"
 #include "recording/robot_messages.hpp"
 
 namespace amiss::recording {
 
 namespace {
 
-constexpr int kCompression = 1;
+constexpr int kCompression = 1, kJpegQuality = 80;
+constexpr Duration kFlushPeriod = std::chrono::seconds(1);
+constexpr std::string_view kMemberHead("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10);  // of gzip: no name, no time, no system
 
 mrpt::Clock::time_point time_of(Stamp stamp) { return mrpt::Clock::fromDouble(seconds(stamp)); }
 
@@ -90,12 +93,12 @@ mrpt::obs::CObservation3DRangeScan frame_of(const robot::CapturedFrame& captured
   o.intensityImage.resize(static_cast<std::size_t>(c.width), static_cast<std::size_t>(c.height), mrpt::img::CH_RGB);
   std::size_t i = 0;
   for (unsigned v = 0; v < o.cameraParams.nrows; ++v) {
+    auto* bgr = o.intensityImage.ptrLine<std::uint8_t>(v);
     for (unsigned u = 0; u < o.cameraParams.ncols; ++u, ++i) {
       o.rangeImage(v, u) = internal::millimetres(frame.depth_m[i]);
-      auto* bgr = o.intensityImage.ptr<std::uint8_t>(u, v);
-      bgr[0] = frame.colour[i].b;
-      bgr[1] = frame.colour[i].g;
-      bgr[2] = frame.colour[i].r;
+      *bgr++ = frame.colour[i].b;
+      *bgr++ = frame.colour[i].g;
+      *bgr++ = frame.colour[i].r;
     }
   }
   return o;
@@ -111,6 +114,7 @@ mrpt::obs::CObservationRawDAQ data_of(const std::string& label, Stamp stamp, std
 
 mrpt::obs::CObservationRawDAQ rest_of(const RgbdFrame& frame) {
   mrpt::obs::CObservationRawDAQ o = data_of(RawlogWriter::kDepth, frame.stamp, {});
+  o.AIN_32bits.reserve(frame.depth_m.size());
   for (const float depth : frame.depth_m) o.AIN_32bits.push_back(internal::rest(depth, internal::millimetres(depth)));
   return o;
 }
@@ -118,35 +122,71 @@ mrpt::obs::CObservationRawDAQ rest_of(const RgbdFrame& frame) {
 }  // namespace
 
 struct RawlogWriter::State {
+  using Archive = mrpt::serialization::CArchive;
+  using Item = std::function<void(Archive&)>;
+
   std::filesystem::path path;
   Eigen::Isometry3d T_base_laser;
   bool for_replay = false;
-  Stamp now;
-  mrpt::io::CFileGZOutputStream stream;
-  std::future<void> writing;
-  Worker worker;  // the last member, so that it ends before what it works on
+  Stamp now, next_flush;
+  std::ofstream file;
+  std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor{
+      libdeflate_alloc_compressor(kCompression), &libdeflate_free_compressor};
+  std::string room;
+  Batches<Item> seconds;  // the last member, so that it ends before what it works on
 
-  State(const std::filesystem::path& file, const Transform<Base, Laser>& laser, bool threaded)
-      : path(file), T_base_laser(laser.T), worker(threaded) {
-    if (!stream.open(file.string(), kCompression)) throw std::runtime_error(file.string() + ": cannot be written");
+  State(const std::filesystem::path& where, const Transform<Base, Laser>& laser, bool threaded)
+      : path(where),
+        T_base_laser(laser.T),
+        file(where, std::ios::binary | std::ios::trunc),
+        seconds([this](const auto& second) { write(second); }, threaded) {
+    file << kMemberHead;
+    check();
+    mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(false);  // MRPT's own default is pixels as they are
+    mrpt::img::CImage::SERIALIZATION_JPEG_QUALITY(kJpegQuality);
   }
-  void write(const robot::Observation& observation) {
-    auto archive = mrpt::serialization::archiveFrom(stream);
-    archive << odometry_of(observation.odometry);
-    if (observation.scan) archive << scan_of(*observation.scan, T_base_laser);
-    if (observation.frame) archive << frame_of(*observation.frame);
-    if (!for_replay) return;
-    if (observation.frame) archive << rest_of(observation.frame->frame);
-    archive << data_of(kObservation, observation.stamp, observation_message(observation));
-  }
-  void put(const std::string& label, const std::string& bytes) {
-    join();
-    writing = worker.submit([this, label, bytes, stamp = now] {
-      mrpt::serialization::archiveFrom(stream) << data_of(label, stamp, bytes);
+  void put(const robot::Observation& observation) {
+    seconds.add([this, observation](Archive& archive) {
+      archive << odometry_of(observation.odometry);
+      if (observation.scan) archive << scan_of(*observation.scan, T_base_laser);
+      if (observation.frame) archive << frame_of(*observation.frame);
+      if (!for_replay) return;
+      if (observation.frame) archive << rest_of(observation.frame->frame);
+      archive << data_of(kObservation, observation.stamp, observation_message(observation));
     });
   }
-  void join() {
-    if (writing.valid()) writing.get();
+  void put(const std::string& label, const std::string& bytes) {
+    seconds.add([label, bytes, stamp = now](Archive& archive) { archive << data_of(label, stamp, bytes); });
+  }
+  void write(const std::vector<Item>& second) {
+    mrpt::io::CMemoryStream bytes;
+    auto archive = mrpt::serialization::archiveFrom(bytes);
+    for (const Item& item : second) item(archive);
+    end_member(bytes.getRawBufferData(), bytes.getTotalBytesCount());
+    file << kMemberHead << std::flush;
+    check();
+  }
+  /// Members of a gzip file follow one another and are read as one stream. The head of the next one stands there
+  /// already, so that a file that was not closed breaks off in the middle of a member.
+  void end_member(const void* bytes, std::size_t size) {
+    const std::size_t most = libdeflate_deflate_compress_bound(compressor.get(), size);
+    if (most > room.size()) room.resize(most);
+    const std::size_t packed = libdeflate_deflate_compress(compressor.get(), bytes, size, room.data(), room.size());
+    file.write(room.data(), static_cast<std::streamsize>(packed));
+    std::string tail;
+    internal::put(tail, libdeflate_crc32(0, bytes, size));
+    internal::put(tail, static_cast<std::uint32_t>(size));
+    file << tail;
+  }
+  void close() {
+    seconds.hand_over();
+    seconds.join();
+    end_member("", 0);
+    file.close();
+    check();
+  }
+  void check() const {
+    if (!file) throw std::runtime_error(path.string() + ": cannot be written");
   }
 };
 
@@ -163,9 +203,12 @@ RawlogWriter::RawlogWriter(const std::filesystem::path& file, const RunSetup& se
 RawlogWriter::~RawlogWriter() = default;
 
 void RawlogWriter::record(const robot::Observation& observation) {
-  state_->join();
   state_->now = observation.stamp;
-  state_->writing = state_->worker.submit([state = state_.get(), observation] { state->write(observation); });
+  if (state_->now >= state_->next_flush) {
+    while (state_->next_flush <= state_->now) state_->next_flush += kFlushPeriod;
+    state_->seconds.hand_over();
+  }
+  state_->put(observation);
 }
 
 void RawlogWriter::attach(mission::Sinks& sinks) {
@@ -173,9 +216,6 @@ void RawlogWriter::attach(mission::Sinks& sinks) {
       sinks, [this](const char* topic, const char*, const std::string& message) { state_->put(topic, message); });
 }
 
-void RawlogWriter::close() {
-  state_->join();
-  state_->stream.close();
-}
+void RawlogWriter::close() { state_->close(); }
 
 }  // namespace amiss::recording

@@ -39,14 +39,17 @@ std::vector<Eigen::Vector3f> centres(const std::vector<mapping::Voxel>& voxels, 
 }  // namespace
 
 RunRecorder::RunRecorder(const std::filesystem::path& file, const RunSetup& setup, bool threaded)
-    : writer_(file, "ros2"), model_(*setup.model), floor_clearance_m_(setup.floor_clearance_m), worker_(threaded) {
+    : writer_(file, "ros2"),
+      model_(*setup.model),
+      floor_clearance_m_(setup.floor_clearance_m),
+      seconds_([this](const auto& second) { write(second); }, threaded) {
   for (const auto& [name, bytes] : setup.documents) writer_.attach(name, "application/octet-stream", bytes);
   put("/amiss/setup", "amiss_msgs/msg/Setup", now_,
       setup_message({setup.seed, setup.method, setup.model->T_base_laser}));
   put("/tf_static", "tf2_msgs/msg/TFMessage", now_,
       transforms_message(now_, {{kBaseFrame, kLaserFrame, setup.model->T_base_laser.T}}));
   put("/map", "nav_msgs/msg/OccupancyGrid", now_, grid_message(now_, *setup.floor));
-  flush();
+  seconds_.hand_over();
 }
 
 RunRecorder::~RunRecorder() = default;
@@ -54,21 +57,25 @@ RunRecorder::~RunRecorder() = default;
 ChannelId RunRecorder::channel(const std::string& topic, const std::string& type) {
   const auto known = channels_.find(topic);
   if (known != channels_.end()) return known->second;
-  join();  // the writer is used by one thread at a time
+  seconds_.join();  // the writer is used by one thread at a time
   const ChannelId id = writer_.add_channel(topic, "cdr", type, "ros2msg", ros_schema(type));
   channels_.emplace(topic, id);
   return id;
 }
 
 void RunRecorder::put(const char* topic, const char* type, Stamp stamp, std::string message) {
-  pending_.push_back({channel(topic, type), stamp, std::move(message), {}});
+  put_later(topic, type, stamp, [message = std::move(message)] { return message; });
+}
+
+void RunRecorder::put_later(const char* topic, const char* type, Stamp stamp, std::function<std::string()> message) {
+  seconds_.add({channel(topic, type), stamp, std::move(message)});
 }
 
 void RunRecorder::record(const robot::Observation& observation) {
   now_ = observation.stamp;
   if (now_ >= next_flush_) {
     while (next_flush_ <= now_) next_flush_ += kFlushPeriod;
-    flush();
+    seconds_.hand_over();
   }
   if (observation.scan)
     put("/scan", "sensor_msgs/msg/LaserScan", observation.scan->stamp, scan_message(*observation.scan));
@@ -81,9 +88,10 @@ void RunRecorder::record(const robot::Observation& observation) {
 void RunRecorder::record_frame(const RgbdFrame& frame) {
   put("/camera/camera_info", "sensor_msgs/msg/CameraInfo", frame.stamp,
       camera_info_message(frame.stamp, frame.intrinsics));
-  put("/camera/depth/image_raw", "sensor_msgs/msg/Image", frame.stamp, depth_message(frame));
-  const ChannelId id = channel("/camera/rgb/image_raw/compressed", "sensor_msgs/msg/CompressedImage");
-  pending_.push_back({id, frame.stamp, "", {frame.stamp, frame.intrinsics, frame.colour, {}}});
+  const auto kept = std::make_shared<const RgbdFrame>(frame);
+  put_later("/camera/depth/image_raw", "sensor_msgs/msg/Image", frame.stamp, [kept] { return depth_message(*kept); });
+  put_later("/camera/rgb/image_raw/compressed", "sensor_msgs/msg/CompressedImage", frame.stamp,
+            [kept] { return colour_jpeg_message(kept->stamp, jpeg_of(*kept)); });
 }
 
 void RunRecorder::attach(mission::Sinks& sinks, const knowledge::KnowledgeBase& knowledge,
@@ -138,27 +146,15 @@ void RunRecorder::write_knowledge() {
   put("/regions", "visualization_msgs/msg/MarkerArray", now_, markers_message(now_, knowledge_->now()));
 }
 
-void RunRecorder::flush() {
-  join();
-  if (pending_.empty()) return;
-  writing_ = worker_.submit([this, messages = std::make_shared<std::vector<Pending>>(std::move(pending_))] {
-    for (const Pending& p : *messages) {
-      const bool is_picture = p.message.empty();
-      writer_.write(p.channel, p.stamp, is_picture ? colour_jpeg_message(p.stamp, jpeg_of(p.colour)) : p.message);
-    }
-    writer_.flush();
-  });
-  pending_.clear();
-}
-
-void RunRecorder::join() {
-  if (writing_.valid()) writing_.get();
+void RunRecorder::write(const std::vector<Pending>& second) {
+  for (const Pending& p : second) writer_.write(p.channel, p.stamp, p.message());
+  writer_.flush();
 }
 
 void RunRecorder::close() {
   write_map();
-  flush();
-  join();
+  seconds_.hand_over();
+  seconds_.join();
   writer_.close();
 }
 

@@ -11,15 +11,14 @@
 #pragma once
 
 #include <functional>
-#include <future>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "core/worker.hpp"
 #include "knowledge/knowledge_base.hpp"
 #include "mapping/voxel_map.hpp"
 #include "mission/sinks.hpp"
+#include "recording/batches.hpp"
 #include "recording/mcap_writer.hpp"
 #include "recording/run_setup.hpp"
 #include "robot/robot.hpp"
@@ -44,31 +43,28 @@ class RunRecorder {
   struct Pending {
     ChannelId channel = 0;
     Stamp stamp;
-    std::string message;  // or a picture that is still to be compressed
-    RgbdFrame colour;
+    std::function<std::string()> message;  // made where it is written
   };
   ChannelId channel(const std::string& topic, const std::string& type);
   void put(const char* topic, const char* type, Stamp stamp, std::string message);
+  void put_later(const char* topic, const char* type, Stamp stamp, std::function<std::string()> message);
   void record_frame(const RgbdFrame& frame);
   void on_step(const mission::StepEvent& event);
   void write_knowledge();
   void write_map();
-  void flush();
-  void join();
+  void write(const std::vector<Pending>& second);
 
   McapWriter writer_;
   const robot::Model& model_;
   double floor_clearance_m_;
   std::map<std::string, ChannelId, std::less<>> channels_;
-  std::vector<Pending> pending_;
   const knowledge::KnowledgeBase* knowledge_ = nullptr;
   std::function<const mapping::VoxelMap&()> voxels_;
   Pose2<Odom, Base> T_odom_base_;
   Stamp now_, next_flush_, next_map_;
   std::string told_markers_;
   std::uint64_t told_revision_ = 0;
-  std::future<void> writing_;
-  Worker worker_;  // the last member, so that it ends before what it works on
+  Batches<Pending> seconds_;  // the last member, so that it ends before what it works on
 };
 
 /// A robot that somebody listens to.

@@ -1,6 +1,9 @@
 #include "core/worker.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -52,6 +55,15 @@ TEST(Worker, WithAThreadAnotherWorks) {
   Worker worker(true);
   auto where = worker.submit([] { return std::this_thread::get_id(); });
   EXPECT_NE(where.get(), std::this_thread::get_id());
+}
+
+TEST(Worker, ItsThreadMayLetOthersGoFirst) {
+  const auto niceness = [] { return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid))); };
+  const int own = niceness();
+  Worker polite(true, 19), usual(true), none(false, 19);
+  EXPECT_EQ(polite.submit(niceness).get(), 19);
+  EXPECT_EQ(usual.submit(niceness).get(), own);
+  EXPECT_EQ(none.submit(niceness).get(), own) << "the caller's thread stays as it was";
 }
 
 }  // namespace

@@ -35,11 +35,15 @@ robot::Observation observation(int period) {
   return o;
 }
 
-std::filesystem::path written(const test::TemporaryFolder& folder, int periods) {
-  const auto file = folder.path() / "a.rawlog";
+Transform<Base, Laser> laser() {
   Transform<Base, Laser> T_base_laser;
   T_base_laser.T.translation() = Eigen::Vector3d(0.2, 0.0, 0.18);
-  RawlogWriter writer(file, T_base_laser, true);
+  return T_base_laser;
+}
+
+std::filesystem::path written(const test::TemporaryFolder& folder, int periods) {
+  const auto file = folder.path() / "a.rawlog";
+  RawlogWriter writer(file, laser(), true);
   for (int period = 1; period <= periods; ++period) writer.record(observation(period));
   writer.close();
   return file;
@@ -107,6 +111,30 @@ TEST(RawlogWriter, RawlogEditReadsIt) {
 
 TEST(RawlogWriter, AFolderThatIsNotThereIsRefused) {
   EXPECT_THROW(RawlogWriter("/nonexistent/a.rawlog", Transform<Base, Laser>{}, false), std::runtime_error);
+}
+
+TEST(RawlogWriter, SecondsFollowOneAnotherAndThreadsChangeNothing) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = written(folder, 25);  // 2.5 s
+  const std::string bytes = folder.read("a.rawlog");
+  mrpt::obs::CRawlog log;
+  ASSERT_TRUE(log.loadFromRawLogFile(file.string()));
+  EXPECT_EQ(log.size(), 51U);
+  RawlogWriter alone(file, laser(), false);
+  for (int period = 1; period <= 25; ++period) alone.record(observation(period));
+  ASSERT_TRUE(log.loadFromRawLogFile(file.string())) << "what was written before the last second is there already";
+  EXPECT_EQ(log.size(), 39U);
+  alone.close();
+  EXPECT_TRUE(folder.read("a.rawlog") == bytes);
+}
+
+TEST(RawlogWriter, AFullDiskIsToldInOneSentence) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "a.rawlog";
+  std::filesystem::create_symlink("/dev/full", file);
+  RawlogWriter writer(file, {}, true);
+  for (int period = 1; period <= 3; ++period) writer.record(observation(period));
+  EXPECT_EQ(test::sentence_of<std::runtime_error>([&] { writer.close(); }), file.string() + ": cannot be written");
 }
 
 }  // namespace

@@ -126,5 +126,26 @@ TEST_F(RunRecorderTest, WithoutAnEndOneSecondIsMissingAtMost) {
   EXPECT_GE(last, Stamp{1500ms});
 }
 
+TEST_F(RunRecorderTest, ASecondIsInTheFileBeforeTheNextOneEnds) {
+  const auto made = recorder("a.mcap", true);
+  run(*made, 30);  // 3 s: the third has just begun to be written, the second is
+  Recording recording(folder.path() / "a.mcap");
+  Stamp last;
+  while (const auto entry = recording.next()) {
+    if (const auto* o = std::get_if<robot::Observation>(&*entry)) last = o->stamp;
+  }
+  EXPECT_GE(last, Stamp{1900ms});
+}
+
+TEST_F(RunRecorderTest, AFullDiskIsToldInOneSentence) {
+  std::filesystem::create_symlink("/dev/full", folder.path() / "a.mcap");
+  EXPECT_EQ(test::sentence_of<std::runtime_error>([&] {
+              const auto made = recorder("a.mcap", true);
+              run(*made, 25);
+              made->close();
+            }),
+            (folder.path() / "a.mcap").string() + ": cannot be written");
+}
+
 }  // namespace
 }  // namespace amiss::recording

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -15,7 +14,7 @@ inline constexpr float kMostDepthM = 65.0F;  // of 16 bits
 /// 0 where nothing came back.
 inline std::uint16_t millimetres(float depth_m) {
   const bool valid = depth_m > 0.0F && depth_m < kMostDepthM;
-  return valid ? static_cast<std::uint16_t>(std::lround(depth_m / kDepthUnitM)) : std::uint16_t{0};
+  return valid ? static_cast<std::uint16_t>(depth_m / kDepthUnitM + 0.5F) : std::uint16_t{0};
 }
 inline std::uint32_t bits_of(std::uint16_t millimetres) {
   return std::bit_cast<std::uint32_t>(millimetres == 0 ? std::numeric_limits<float>::quiet_NaN()
