@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,6 +19,7 @@ namespace amiss::test {
 struct Ended {
   int status = -1;  // -1000 - signal when one ended it
   std::string out, err;
+  long peak_kb = 0;  // the most memory that it had at once
 };
 
 /// A child that is running; its output goes to files in a folder of its own.
@@ -55,10 +57,11 @@ class Program {
   [[nodiscard]] std::string said() const { return output_.read("err"); }  // on standard error, so far
   Ended wait() {
     int status = 0;
-    ::waitpid(child_, &status, 0);
+    rusage used{};
+    ::wait4(child_, &status, 0, &used);
     child_ = 0;
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1000 - WTERMSIG(status), output_.read("out"),
-            output_.read("err")};
+            output_.read("err"), used.ru_maxrss};
   }
 
  private:

@@ -1,4 +1,7 @@
 // Pages of a run that goes on and of one that is over, asked as a browser asks, and by clients that are rude.
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -35,13 +38,32 @@ int port_of(const Program& program) {
   return 0;
 }
 
+constexpr long kFlat_kb = 32 << 10;
+
+/// A thousand connections with rubbish at once, headers without end, rubbish on an open socket, and what is forbidden.
 void be_rude(int port) {
+  rlimit files{};
+  ::getrlimit(RLIMIT_NOFILE, &files);
+  files.rlim_cur = std::min<rlim_t>(files.rlim_max, 4096);
+  ::setrlimit(RLIMIT_NOFILE, &files);
   std::vector<test::Client> many;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     many.emplace_back(port);
+    ASSERT_TRUE(many.back().is_open()) << i;
     many.back().send(std::string(1000, static_cast<char>(i)));
   }
+  const std::string host = "Host: 127.0.0.1:" + std::to_string(port) + "\r\n", part(65536, 'a');
+  const test::Client endless(port);
+  endless.send("GET / HTTP/1.1\r\n" + host + "X-Endless: ");
+  std::size_t sent = 0;
+  while (sent < std::size_t{256} << 20 && endless.send(part)) sent += part.size();
+  EXPECT_LT(sent, std::size_t{32} << 20);
+  const test::SocketClient socket(port);
+  EXPECT_EQ(socket.status(), 101);
+  socket.raw().send(std::string(100000, '\xff'));
+  EXPECT_TRUE(socket.raw().is_closed());
   EXPECT_EQ(test::get(port, "/../../etc/passwd").status, 404);
+  EXPECT_EQ(test::ask(port, "GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n").status, 421);
   EXPECT_EQ(test::SocketClient(port, "Origin: http://evil.example\r\n").status(), 403);
 }
 
@@ -99,6 +121,7 @@ TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
   }
   const Ended watched = program.wait();
   EXPECT_EQ(watched.status, alone.status) << watched.err;
+  EXPECT_LT(watched.peak_kb, alone.peak_kb + kFlat_kb);
   const json a = json::parse(alone.out), b = json::parse(watched.out);
   EXPECT_EQ(a["digest"], b["digest"]);
   for (const char* kind : {"start", "pose", "frame", "voxels", "regions", "plan"}) {
