@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "recording/rawlog_reader.hpp"
 #include "recording/small_rawlog.hpp"
 
 namespace amiss::recording {
@@ -124,6 +125,10 @@ TEST(RawlogWriter, SecondsFollowOneAnotherAndThreadsChangeNothing) {
   for (int period = 1; period <= 25; ++period) alone.record(observation(period));
   ASSERT_TRUE(log.loadFromRawLogFile(file.string())) << "what was written before the last second is there already";
   EXPECT_EQ(log.size(), 39U);
+  RawlogReader reader(file);
+  while (reader.next()) {
+  }
+  EXPECT_FALSE(reader.complete());
   alone.close();
   EXPECT_TRUE(folder.read("a.rawlog") == bytes);
 }
@@ -132,7 +137,7 @@ TEST(RawlogWriter, AFullDiskIsToldInOneSentence) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "a.rawlog";
   std::filesystem::create_symlink("/dev/full", file);
-  RawlogWriter writer(file, {}, true);
+  RawlogWriter writer(file, laser(), true);
   for (int period = 1; period <= 3; ++period) writer.record(observation(period));
   EXPECT_EQ(test::sentence_of<std::runtime_error>([&] { writer.close(); }), file.string() + ": cannot be written");
 }
