@@ -9,7 +9,8 @@ namespace amiss {
 Worker::Worker(bool threaded, int niceness) {
   if (!threaded) return;
   thread_ = std::thread([this, niceness] {
-    if (niceness > 0) ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), niceness);
+    const auto self = static_cast<id_t>(::syscall(SYS_gettid));
+    if (niceness > 0) ::setpriority(PRIO_PROCESS, self, ::getpriority(PRIO_PROCESS, self) + niceness);
     loop();
   });
 }

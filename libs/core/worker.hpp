@@ -13,7 +13,7 @@
 namespace amiss {
 
 /// Runs jobs in the order they came: in a thread of its own, or at once in the caller when `threaded` is false.
-/// `niceness`: of that thread, 0 (as the caller) to 19 (only when nobody else wants the core).
+/// `niceness`: how much nicer than the caller's that thread is, 0 to 19 (only when nobody else wants the core).
 class Worker {
  public:
   explicit Worker(bool threaded, int niceness = 0);
