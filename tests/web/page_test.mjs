@@ -207,12 +207,31 @@ async function scenarioRun(browser) {
   assert.equal(await ended, 0);
 }
 
+/** A scripted run in which furniture is moved: the scene shows where, and a table says so. */
+async function movedRun(browser) {
+  const file = fileURLToPath(new URL('../scenarios/furniture_nudged.yaml', import.meta.url));
+  rmSync(join(folder, 'moved'), { recursive: true, force: true });
+  const { url, ended } = await programs.start('scenario', file, '--out', 'moved', '--view', '--port', '0', '--quiet');
+  const page = await open(browser, url, url, DESKTOP);
+  await page.waitForFunction(() => window.amiss.ended);
+  await page.waitForFunction(() => /chair_dining_1/.test(document.getElementById('objects').textContent));
+  await page.click('#tab-events');
+  await page.waitForFunction(() => /go to view/.test(document.getElementById('events').textContent));
+  await page.click('#tab-objects');
+  await page.waitForTimeout(500);
+  await shoot(page, 'moved');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+  assert.equal(await ended, 0);
+}
+
 const browser = await launch();
 try {
   await liveRun(browser);
   await finishedRun(browser);
   await report(browser);
   await scenarioRun(browser);
+  await movedRun(browser);
   console.log('the page works');
 } finally {
   await browser.close();

@@ -28,6 +28,9 @@ export function badge(look) {
   return element;
 }
 
+/** "1 segment", "2 segments". */
+export const several = (count, thing) => `${count} ${thing}${count === 1 ? '' : 's'}`;
+
 export const metres = (value, digits = 2) => (value === null || value === undefined ? '–' : `${value.toFixed(digits)} m`);
 export const seconds = (value) => (value === null || value === undefined ? '–' : `${value.toFixed(1)} s`);
 export const percent = (value) => `${Math.round(100 * value)} %`;

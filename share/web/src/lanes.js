@@ -4,6 +4,7 @@ import { OBJECT, PALETTE, REGION, SEGMENT } from './look.js';
 
 export const LANES = [
   { name: 'plans', colour: PALETTE.yellow, marks: (store) => store.all('plan').map((e) => [e.t, `plan ${e.number}`]) },
+  { name: 'steps', colour: PALETTE.sky, marks: (store) => steps(store).map((e) => [e.t, e.text]) },
   { name: 'regions', colour: REGION.open.colour, marks: (store) => detections(store) },
   { name: 'examined', colour: SEGMENT.colour, marks: (store) => store.all('examined').map((e) => [e.t, `${e.region ? 'region ' + e.region : 'frame'} examined`]) },
   { name: 'found', colour: OBJECT.found.colour, marks: (store) => finds(store).map((o) => [o.found_at, o.name + ' found']) },
@@ -11,6 +12,13 @@ export const LANES = [
   { name: 'faults', colour: PALETTE.vermillion, marks: (store) => faults(store).map((e) => [e.t, e.text]) },
 ];
 
+/** What a step of a plan is called. */
+export const stepText = (s) => `${{ goto: 'go to', explore: 'look into', examine: 'examine' }[s.action] ?? s.action} ${s.of === 'view' ? 'view' : 'region'} ${s.id}`;
+/** Steps as they were begun, each of the newest plan. */
+export function steps(store) {
+  const list = store.all('step').map((e) => ({ t: e.t, step: store.latest('plan', e.t)?.steps[e.step] }));
+  return list.filter((e) => e.step).map((e) => ({ t: e.t, text: stepText(e.step) }));
+}
 export const detections = (store) => (store.all('regions').at(-1)?.list ?? []).map((r) => [r.first_seen, `region ${r.id} detected`]);
 export const finds = (store) => (store.all('objects').at(-1)?.list ?? []).filter((o) => o.found);
 export const faults = (store) => [

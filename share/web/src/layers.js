@@ -4,7 +4,7 @@ import { Floor } from './floor.js';
 import { Robot } from './robot.js';
 import { Voxels } from './voxels.js';
 import { box, cylinder, dispose, handle, letterAt, plateAt, ribbonThrough, triangle } from './marks.js';
-import { FAULT, OBJECT, PALETTE, REGION, SEGMENT, VIEW, objectLook, themed } from './look.js';
+import { BODY, FAULT, OBJECT, PALETTE, REGION, SEGMENT, VIEW, objectLook, themed } from './look.js';
 
 /** Name, what it is called, colour of its sign, shown at first. */
 export const LAYERS = [
@@ -18,6 +18,7 @@ export const LAYERS = [
   ['regions', 'regions', REGION.open.colour, true],
   ['objects', 'objects', OBJECT.found.colour, true],
   ['touches', 'touches', FAULT.colour, true],
+  ['bodies', 'what moves', BODY.colour, true],
   ['robot', 'robot', PALETTE.purple, true],
 ];
 
@@ -84,6 +85,12 @@ export class Layers {
     });
     this.group('touches', state.touches.length, true, (add) => {
       for (const touch of state.touches) add(letterAt(FAULT, touch.p, 0.026));
+    });
+    this.group('bodies', JSON.stringify(state.bodies.map((body) => body.pose)), true, (add) => {
+      for (const body of state.bodies) {
+        add(letterAt(BODY, body.pose.slice(0, 3), 0.03));
+        add(plateAt(body.name, body.pose.slice(0, 3), 0.018));
+      }
     });
     const chosen = state.chosen;
     this.group('regions', `${state.regions?.t} ${chosen?.kind === 'region' && chosen.id}`, state.regions, (add) => this.addRegions(state, add));

@@ -25,6 +25,7 @@ export const VIEW = {
 
 export const FAULT = { letter: '!', colour: PALETTE.vermillion, meaning: 'fault' };
 export const SCRIPT = { letter: '*', colour: PALETTE.grey, meaning: 'done by the script of the scenario' };
+export const BODY = { letter: 'B', colour: '#a6761d', meaning: 'truth: a thing or a person that was moved or moves' };
 export const HOLDS = { letter: '✓', colour: PALETTE.green, meaning: 'holds' };
 export const FAILS = { letter: '✗', colour: PALETTE.vermillion, meaning: 'does not hold' };
 

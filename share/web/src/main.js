@@ -64,6 +64,7 @@ class App {
   state() {
     const { store, time } = this;
     const trail = store.until('pose', time);
+    const placed = new Set((store.first('objects')?.list ?? []).map((object) => object.name));
     const thin = Math.max(1, Math.floor(trail.length / 1500));
     const state = {
       store, time, start: this.start, chosen: this.chosen,
@@ -71,6 +72,7 @@ class App {
       trail: trail.filter((_, i) => i % thin === 0).map((e) => e.p),
       examined: store.until('examined', time),
       touches: store.until('collision', time),
+      bodies: store.bodiesAt(time).filter((body) => !placed.has(body.name)),
       voxelChanges: store.until('voxels', time).length,
       voxels: () => store.voxels.at(time),
       voxelCount: () => store.voxels.at(time).length / 3,

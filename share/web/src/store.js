@@ -52,6 +52,16 @@ export class Store {
     return { t: time, p: pose(a.p, b.p), true: pose(a.true, b.true), head: a.head.map((h, k) => between(h, b.head[k])) };
   }
 
+  /** What moves or was moved, where it is at that time: the newest pose of each name that is not gone. */
+  bodiesAt(time) {
+    const bodies = new Map();
+    for (const event of this.until('bodies', time)) {
+      for (const body of event.list) bodies.set(body.name, { ...body, t: event.t });
+      for (const name of event.gone) bodies.delete(name);
+    }
+    return [...bodies.values()];
+  }
+
   /** Where each object stood with the referee, and the examination that found it. */
   examinationOf(object) {
     if (!object.found) return undefined;

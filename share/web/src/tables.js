@@ -1,8 +1,8 @@
 // The tables: everything that the scene shows, in words and numbers, at the instant that is shown.
-import { badge, make, metres, place, seconds } from './dom.js';
-import { FAILS, FAULT, HOLDS, OBJECT, REGION, SCRIPT, SEGMENT, VIEW, objectLook } from './look.js';
+import { badge, make, metres, place, seconds, several } from './dom.js';
+import { BODY, FAILS, FAULT, HOLDS, OBJECT, REGION, SCRIPT, SEGMENT, VIEW, objectLook } from './look.js';
 import { FREE, cellsOf } from './store.js';
-import { faults, finds } from './lanes.js';
+import { faults, finds, stepText, steps } from './lanes.js';
 import { plots } from './plots.js';
 
 const degrees = (radians) => `${((radians * 180) / Math.PI).toFixed(0)}°`;
@@ -30,7 +30,10 @@ function objects(state, app) {
   const rows = (state.objects?.list ?? []).map((o) => row(
     [signed(objectLook(o), o.name), objectLook(o).meaning, seconds(o.found_at), metres(o.error, 3), place(o.p)],
     { act: () => app.choose({ kind: 'object', id: o.name }), chosen: state.chosen?.id === o.name, id: o.name }));
-  return table(['object', 'verdict', 'after', 'error', 'x, y [m]'], rows, 'No object was placed.');
+  const placed = table(['object', 'verdict', 'after', 'error', 'x, y [m]'], rows, 'No object was placed.');
+  if (state.bodies.length === 0) return placed;
+  const others = state.bodies.map((b) => row([signed(BODY, b.name), seconds(b.t), place(b.pose)], { act: () => app.goTo(b.pose) }));
+  return make('div', {}, placed, make('h3', {}, 'what else moves or was moved'), table(['thing', 'there since', 'x, y [m]'], others, ''));
 }
 
 function segments(state, app) {
@@ -50,7 +53,7 @@ function regions(state, app) {
 function plan(state, app) {
   const from = state.step && state.plan && state.step.t >= state.plan.t ? state.step.step : 0;
   const steps = (state.plan?.steps ?? []).map((s, i) => row(
-    [`${i + 1}. ${s.action} ${s.of === 'view' ? 'view triangle' : 'region'} ${s.id}`, i < from ? 'done' : i === from ? 'now' : '', place(s.p), degrees(s.p[2])],
+    [`${i + 1}. ${stepText(s)}`, i < from ? 'done' : i === from ? 'now' : '', place(s.p), degrees(s.p[2])],
     { act: () => app.goTo([s.p[0], s.p[1], 0]), chosen: i === from }));
   const views = (state.views?.list ?? []).map((v) => row(
     [signed(VIEW[v.state], `view ${v.id}`), v.state, place(v.p), degrees(v.p[2])], { act: () => app.goTo([v.p[0], v.p[1], 0]) }));
@@ -61,9 +64,10 @@ function plan(state, app) {
 
 function happened(store, time) {
   const list = [
-    ...store.until('plan', time).map((e) => ({ t: e.t, text: `plan ${e.number}: ${e.steps.filter((s) => s.action === 'goto').length} places` })),
+    ...store.until('plan', time).map((e) => ({ t: e.t, text: `plan ${e.number}: ${several(e.steps.filter((s) => s.action === 'goto').length, 'place')}` })),
+    ...steps(store).filter((e) => e.t <= time),
     ...(store.latest('regions', time)?.list ?? []).map((r) => ({ t: r.first_seen, text: `region ${r.id} detected`, look: REGION.open })),
-    ...store.until('examined', time).map((e) => ({ t: e.t, text: `${e.region ? `region ${e.region}` : 'frame'} examined: ${e.segments.length} segments`, look: SEGMENT })),
+    ...store.until('examined', time).map((e) => ({ t: e.t, text: `${e.region ? `region ${e.region}` : 'frame'} examined: ${several(e.segments.length, 'segment')}`, look: SEGMENT })),
     ...finds(store).filter((o) => o.found_at <= time).map((o) => ({ t: o.found_at, text: `${o.name} found`, look: OBJECT.found })),
     ...store.until('script', time).map((e) => ({ ...e, look: SCRIPT })),
     ...faults(store).filter((e) => e.t <= time).map((e) => ({ ...e, look: FAULT })),
@@ -129,7 +133,7 @@ const voxels = (base64) => Math.floor((base64.length * 3) / 4 / 6);
 
 /** Name, title, what it holds, and what it depends on. */
 const TABS = [
-  ['objects', 'Objects', objects, (s) => [s.objects?.t, s.chosen?.id]],
+  ['objects', 'Objects', objects, (s) => [s.objects?.t, s.chosen?.id, s.bodies.map((b) => b.t)]],
   ['regions', 'Regions', regions, (s) => [s.regions?.t, s.chosen?.id]],
   ['segments', 'Segments', segments, (s) => [s.examined.length]],
   ['plan', 'Plan', plan, (s) => [s.plan?.t, s.step?.t, s.views?.t]],
