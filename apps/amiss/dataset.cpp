@@ -12,13 +12,15 @@ namespace {
 void add_make(CLI::App& dataset, int& exit_status) {
   const auto o = std::make_shared<DatasetOptions>();
   CLI::App* make = dataset.add_subcommand("make", "place objects in the five rooms and record each visit");
-  make->add_option("--out", o->out, "folder of the data set; one that is not finished is continued")->required();
+  make->add_option("--out", o->out, "folder of the data set; one that is not finished is continued")
+      ->type_name("DIR")
+      ->required();
   make->add_option("--rooms", o->rooms, "of sim_worlds/dataset.yaml, separated by commas [all]")->delimiter(',');
   make->add_option("--visits", o->visits, "at most so many of each room after the tidy one [all]")
       ->check(CLI::Range(0, 100));
   make->add_option("--seed", o->seed, "of everything random")->check(CLI::NonNegativeNumber)->capture_default_str();
   make->add_option("-j,--jobs", o->jobs, "processes at a time")->check(CLI::Range(1, 64))->capture_default_str();
-  make->add_option("--params", o->params_file, "YAML file of parameters");
+  make->add_option("--params", o->params_file, "YAML file of parameters")->type_name("FILE");
   make->add_option("--set", o->overrides, "key=value, overrides a parameter; may be repeated");
   make->add_flag("!--no-rawlog", o->rawlog, "recordings without recording.rawlog, which is half of their bytes");
   make->add_flag("--quiet", o->quiet, "no progress");
@@ -32,10 +34,17 @@ void add_annotate(CLI::App& dataset, int& exit_status) {
   };
   const auto a = std::make_shared<Arguments>();
   CLI::App* annotate = dataset.add_subcommand("annotate", "which point of a reconstruction belongs to which object");
-  annotate->add_option("recording", a->recording, "folder of a recording that `make` wrote")->required();
-  annotate->add_option("cloud", a->cloud, "PLY or PCD, in the frame of the recording's poses")->required();
-  annotate->add_option("--out", a->out, "folder of full rooms in ObChange's layout: a scene more of a room")->required();
-  annotate->add_option("--poses", a->poses, "TUM trajectory that the cloud was made with [estimated.txt]");
+  annotate->add_option("recording", a->recording, "folder of a recording that `make` wrote")
+      ->type_name("DIR")
+      ->required();
+  annotate->add_option("cloud", a->cloud, "PLY or PCD, in the frame of the recording's poses")
+      ->type_name("FILE")
+      ->required();
+  annotate->add_option("--out", a->out, "folder of full rooms in ObChange's layout: a scene more of a room")
+      ->type_name("DIR")
+      ->required();
+  annotate->add_option("--poses", a->poses, "TUM trajectory that the cloud was made with [estimated.txt]")
+      ->type_name("FILE");
   annotate->callback([a, &exit_status] {
     annotate_cloud(a->recording, a->cloud, a->out, a->poses);
     exit_status = kGoalMet;

@@ -133,15 +133,18 @@ int run(const Arguments& a) {
 void add_detect_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand("detect", "what is in a reconstructed room and was not there before");
-  command->add_option("REFERENCE", a->reference,
-                      "cloud (PLY, PCD), folder of a reconstruction, or folder of a room (its scene1)");
-  command->add_option("CURRENT", a->current, "the same; of a room's folder all other scenes");
-  command->add_option("--out", a->out, "folder to write");
+  command
+      ->add_option("REFERENCE", a->reference,
+                   "cloud (PLY, PCD), folder of a reconstruction, or folder of a room (its scene1)")
+      ->type_name("FILE");
+  command->add_option("CURRENT", a->current, "the same; of a room's folder all other scenes")->type_name("FILE");
+  command->add_option("--out", a->out, "folder to write")->type_name("DIR");
   command->add_option("--method", a->method, "how")
       ->check(CLI::IsMember(change::detection_methods()))
       ->capture_default_str();
-  command->add_option("--reference-space", a->reference_space, "OctoMap of the space that the reference saw");
-  command->add_option("--current-space", a->current_space, "OctoMap of the space that was seen now");
+  command->add_option("--reference-space", a->reference_space, "OctoMap of the space that the reference saw")
+      ->type_name("FILE");
+  command->add_option("--current-space", a->current_space, "OctoMap of the space that was seen now")->type_name("FILE");
   a->settings.add_options(*command);
   command->add_flag("--print-params", a->print_params, "print all parameters as YAML and end");
   command->add_flag("--quiet", a->quiet, "no summary");

@@ -14,7 +14,7 @@ void DetectSettings::add_options(CLI::App& command) {
       ->check(CLI::IsMember(label_choices()))
       ->capture_default_str();
   command.add_option("--forest", labels.forest, "model of the forest [the program's own]")->check(CLI::ExistingFile);
-  command.add_option("--params", params_file_, "YAML file of parameters");
+  command.add_option("--params", params_file_, "YAML file of parameters")->type_name("FILE");
   command.add_option("--set", overrides_, "key=value, overrides a parameter; may be repeated");
 }
 

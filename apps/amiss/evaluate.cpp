@@ -107,7 +107,9 @@ int run(const Arguments& a, const std::string& stem, std::vector<JudgedRooms> ju
 }
 
 void add_common(CLI::App& command, Arguments& a) {
-  command.add_option("--out", a.out, "folder to write; one that is not finished is continued")->required();
+  command.add_option("--out", a.out, "folder to write; one that is not finished is continued")
+      ->type_name("DIR")
+      ->required();
   command.add_option("--methods", a.methods, "all, or some separated by commas")->delimiter(',')->capture_default_str();
   command.add_option("-j,--jobs", a.jobs, "visits at a time")->check(CLI::Range(1, 64))->capture_default_str();
   a.settings.add_options(command);
@@ -118,6 +120,7 @@ void add_chapter5(CLI::App& evaluate, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* const command = evaluate.add_subcommand("chapter5", "novel objects in full rooms: Table 5.2");
   command->add_option("DATASET", a->datasets, "folder of rooms in ObChange's layout, or one room")
+      ->type_name("DIR")
       ->required()
       ->expected(1);
   add_common(*command, *a);

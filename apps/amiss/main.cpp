@@ -1,39 +1,20 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
 #include "command_tree.hpp"
 #include "commands.hpp"
-#include "core/params.hpp"
 #include "core/result.hpp"
+#include "wrong_arguments.hpp"
 
 namespace {
 
 using namespace amiss::app;
 
-/// The nearest of what is declared to the first word that is not.
-std::string hint(const CLI::App& app, int argc, char** argv) {
-  Command here = command_tree(app);
-  for (int i = 1; i < argc; ++i) {
-    std::string word(argv[i]);
-    std::vector<std::string> known;
-    if (word.starts_with("--")) {
-      word = word.substr(0, word.find('='));
-      for (const CommandOption& option : here.options)
-        known.insert(known.end(), option.names.begin(), option.names.end());
-    } else if (!here.subcommands.empty()) {
-      for (const Command& sub : here.subcommands) known.push_back(sub.name);
-    }
-    if (known.empty()) continue;
-    const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end()) {
-      const std::string near = amiss::nearest_word(word, known);
-      return near.empty() ? std::string() : "; did you mean '" + near + "'?";
-    }
-    if (word.starts_with("--")) continue;
-    here = Command(here.subcommands[static_cast<std::size_t>(found - known.begin())]);
-  }
-  return {};
+Refusal refusal_of(const CLI::ParseError& e) {
+  using Code = CLI::ExitCodes;  // the name of an error is sometimes that of a command
+  const auto code = static_cast<Code>(e.get_exit_code());
+  if (code == Code::RequiredError || code == Code::ExtrasError) return {Refusal::Kind::kWord, e.what()};
+  return {code == Code::ValidationError ? Refusal::Kind::kValue : Refusal::Kind::kOther, e.what()};
 }
 
 int run(int argc, char** argv) {
@@ -67,7 +48,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& e) {
-    std::cerr << "amiss: " << e.what() << hint(app, argc, argv) << "\n";
+    std::cerr << "amiss: " << explain(command_tree(app), {argv + 1, argv + argc}, refusal_of(e)) << "\n";
     return kWrongArguments;
   }
   return exit_status;

@@ -93,8 +93,9 @@ void add_reconstruct_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand("reconstruct", "points, triangles and seen space of a recorded room");
   command->add_option("RECORDING", a->recording, "folder of a recording (TUM RGB-D, 7-Scenes or Open3D) or a ROS 1 bag")
+      ->type_name("FILE")
       ->required();
-  command->add_option("--out", a->out, "folder to write [runs/reconstruct-RECORDING]");
+  command->add_option("--out", a->out, "folder to write [runs/reconstruct-RECORDING]")->type_name("DIR");
   command->add_option("--voxel", a->voxel_m, "edge of a voxel in m [0.01]")->check(CLI::Range(0.001, 0.5));
   command->add_option("--method", a->method, "tsdf (default) or octomap");
   command->add_flag("--refine", a->refine, "refine poses against the model by ICP");
@@ -109,7 +110,7 @@ void add_reconstruct_command(CLI::App& app, int& exit_status) {
   command->add_option("--colour-topic", a->colour_topic, "of a bag [the HSR's, else the only one]");
   command->add_option("--depth-topic", a->depth_topic, "of a bag [the HSR's, else the only one]");
   command->add_option("--map-frame", a->map_frame, "of a bag: the frame of its poses")->capture_default_str();
-  command->add_option("--params", a->params_file, "YAML file of parameters");
+  command->add_option("--params", a->params_file, "YAML file of parameters")->type_name("FILE");
   command->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated");
   command->add_flag("--print-params", a->print_params, "print all parameters as YAML and end");
   command->add_flag("--quiet", a->quiet, "no progress, no summary");

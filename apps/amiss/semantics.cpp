@@ -124,9 +124,9 @@ std::shared_ptr<Arguments> with_threads(CLI::App* command) {
 
 void add_train(CLI::App* command, int& exit_status) {
   const auto arguments = with_threads<TrainArguments>(command);
-  command->add_option("--out", arguments->out, "the forest's file");
+  command->add_option("--out", arguments->out, "the forest's file")->type_name("FILE");
   command->add_option("--seed", arguments->seed, "seed of rooms and trees");
-  command->add_option("--params", arguments->params, "YAML file with deviations from the defaults");
+  command->add_option("--params", arguments->params, "YAML file with deviations from the defaults")->type_name("FILE");
   command->add_option("--set", arguments->overrides, "KEY=VALUE, one parameter")->take_all();
   command->add_flag("--print-params", arguments->print_params, "print all parameters and stop");
   command->add_flag("--quiet", arguments->quiet, "no progress");
@@ -135,14 +135,20 @@ void add_train(CLI::App* command, int& exit_status) {
 
 void add_label(CLI::App* command, int& exit_status) {
   const auto arguments = with_threads<LabelArguments>(command);
-  command->add_option("CLOUD", arguments->cloud, "reconstruction, 1 cm (.ply, .pcd)")->required();
-  command->add_option("--out", arguments->out, "the cloud with a field `label` (NYU40 numbers)")->required();
-  command->add_option("--model", arguments->model, "a forest; the one that comes with amiss if nothing is chosen");
-  command->add_option("--network", arguments->network, "YAML that describes a 2D network in ONNX, with --recording");
-  command->add_option("--recording", arguments->recording, "what CLOUD was made of: images, depth and poses");
+  command->add_option("CLOUD", arguments->cloud, "reconstruction, 1 cm (.ply, .pcd)")->type_name("FILE")->required();
+  command->add_option("--out", arguments->out, "the cloud with a field `label` (NYU40 numbers)")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--model", arguments->model, "a forest; the one that comes with amiss if nothing is chosen")
+      ->type_name("FILE");
+  command->add_option("--network", arguments->network, "YAML that describes a 2D network in ONNX, with --recording")
+      ->type_name("FILE");
+  command->add_option("--recording", arguments->recording, "what CLOUD was made of: images, depth and poses")
+      ->type_name("DIR");
   command->add_option("--truth", arguments->truth,
                       "cloud with the true classes as `label`: not learned, for ablations");
-  command->add_option("--confusion", arguments->confusion, "TSV of `evaluate --confusion`, with --truth");
+  command->add_option("--confusion", arguments->confusion, "TSV of `evaluate --confusion`, with --truth")
+      ->type_name("FILE");
   command->add_option("--set", arguments->overrides, "KEY=VALUE: semantics.forest.*, semantics.rendered.*")->take_all();
   command->add_option("--seed", arguments->seed, "of what spoils the true classes");
   command->callback([arguments, &exit_status] {
@@ -153,11 +159,12 @@ void add_label(CLI::App* command, int& exit_status) {
 
 void add_evaluate(CLI::App* command, int& exit_status) {
   const auto arguments = with_threads<EvaluateArguments>(command);
-  command->add_option("--model", arguments->model, "a forest; the one that comes with amiss if left out");
+  command->add_option("--model", arguments->model, "a forest; the one that comes with amiss if left out")
+      ->type_name("FILE");
   command->add_option("--rooms", arguments->rooms, "rooms of the data set, all if left out")->delimiter(',');
   command->add_option("--seed", arguments->seed, "seed of the objects that lie about and of the noise");
-  command->add_option("--confusion", arguments->confusion, "TSV file for the counts of all rooms");
-  command->add_option("--save-clouds", arguments->save_clouds, "folder for the labelled clouds");
+  command->add_option("--confusion", arguments->confusion, "TSV file for the counts of all rooms")->type_name("FILE");
+  command->add_option("--save-clouds", arguments->save_clouds, "folder for the labelled clouds")->type_name("DIR");
   command->callback([arguments, &exit_status] { exit_status = evaluate(*arguments); });
 }
 

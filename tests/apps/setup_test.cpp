@@ -40,6 +40,25 @@ struct Setup : testing::Test {
     return shell("bash --norc", "source ./amiss.bash; COMP_WORDS=(" + line + "); COMP_CWORD=" +
                                     std::to_string(words.size()) + "; _amiss; echo \"${COMPREPLY[*]}\"");
   }
+  /// What stands in the line of a zsh after these keys and a tab, with its own completion system (compinit).
+  [[nodiscard]] std::string zsh_makes(const std::string& keys) const {
+    std::ofstream(folder.path() / "_amiss") << amiss({"completion", "zsh"}).out;
+    const std::string script =
+        "zmodload zsh/zpty || exit 3\n"
+        "zpty shell zsh -f -i\n"
+        "zpty -w shell \"PS1=; path=('" +
+        fs::path(AMISS_PROGRAM).parent_path().string() +
+        "' \\$path); fpath=($PWD \\$fpath); autoload -Uz compinit; compinit -u -D\"\n"
+        "zpty -w shell 'told() { print -rn -- \"$BUFFER\" >line.new; mv line.new line; BUFFER=; zle .accept-line }'\n"
+        "zpty -w shell \"zle -N told; bindkey '^X' told; print READY\"\n"
+        "zpty -r -m shell seen '*READY*READY*'\n"
+        "zpty -n -w shell '" +
+        keys +
+        "'$'\\t\\x18'\n"
+        "for i in {1..200}; do [[ -e line ]] && break; sleep 0.05; done\n"
+        "zpty -d shell; cat line; rm line\n";
+    return shell("timeout 60 zsh -f", script);
+  }
   /// The same of zsh: what the functions of its completion system are called with.
   [[nodiscard]] std::string zsh_offers(const std::vector<std::string>& words) const {
     std::ofstream(folder.path() / "_amiss") << amiss({"completion", "zsh"}).out;
@@ -117,6 +136,36 @@ TEST_F(Setup, ZshCompletes) {
   EXPECT_EQ(zsh_offers({"view", ""}), "FILES -/\n");
 }
 
+TEST_F(Setup, ZshCompletesWhatIsTyped) {
+  if (!has("zsh")) GTEST_SKIP() << "zsh is not installed";
+  EXPECT_EQ(zsh_makes("amiss doc"), "amiss doctor ");
+  EXPECT_EQ(zsh_makes("amiss experiment stat"), "amiss experiment status ");
+  EXPECT_EQ(zsh_makes("amiss tidy --meth"), "amiss tidy --method ");
+  EXPECT_EQ(zsh_makes("amiss map --world la"), "amiss map --world lab_30 ");
+  EXPECT_EQ(zsh_makes("amiss tidy --set change.min_v"), "amiss tidy --set change.min_voxels=");
+  fs::create_directory(folder.path() / "runs1");
+  EXPECT_EQ(zsh_makes("amiss view runs"), "amiss view runs1/");
+}
+
+/// As a user has it: the line typed, and the tab.
+TEST_F(Setup, BashCompletesWhatIsTyped) {
+  std::ofstream(folder.path() / "amiss.bash") << amiss({"completion", "bash"}).out;
+  const auto made = [&](const std::string& keys) {
+    const std::string program = fs::path(AMISS_PROGRAM).parent_path().string();
+    folder.write("rc", "PS1=\nset +o history\nPATH='" + program +
+                           "':$PATH\nbind 'set enable-bracketed-paste off'\n"
+                           "source ./amiss.bash\ntold() { printf %s \"$READLINE_LINE\" >line; READLINE_LINE=; }\n"
+                           "bind -x '\"\\C-xt\": told'\n");
+    folder.write("keys", keys + "\t\x18t\nexit\n");
+    (void)shell("timeout 20 sh", "bash --rcfile rc -i <keys >seen 2>&1 || true\n");
+    return folder.read("line");
+  };
+  EXPECT_EQ(made("amiss doc"), "amiss doctor ");
+  EXPECT_EQ(made("amiss tidy --meth"), "amiss tidy --method ");
+  EXPECT_EQ(made("amiss map --world la"), "amiss map --world lab_30 ");
+  EXPECT_EQ(made("amiss tidy --set change.min_v"), "amiss tidy --set change.min_voxels=");
+}
+
 TEST_F(Setup, TheManPageHoldsEveryOptionAndParameter) {
   const std::string page = amiss({"man"}).out;
   for (const char* text :
@@ -139,6 +188,32 @@ TEST_F(Setup, TheNearestIsOfferedAtEveryLevel) {
   EXPECT_NE(said({"tidy", "--objcts", "3"}).find("did you mean '--objects'?"), std::string::npos);
   EXPECT_NE(said({"tidy", "--objcts=3"}).find("did you mean '--objects'?"), std::string::npos);
   EXPECT_EQ(said({"tidy", "--seed", "x"}).find("did you mean"), std::string::npos);
+}
+
+TEST_F(Setup, WhatIsWrongIsSaidInOneSentence) {
+  const auto said = [&](const std::vector<std::string>& arguments) {
+    const Ended ended = amiss(arguments);
+    EXPECT_EQ(ended.status, 2) << ended.err;
+    return ended.err;
+  };
+  EXPECT_EQ(said({"tdy"}), "amiss: amiss has no subcommand 'tdy'; did you mean 'tidy'?\n");
+  EXPECT_EQ(said({}).find("amiss: amiss needs one of its subcommands: tidy, experiment, "), 0U);
+  EXPECT_EQ(said({"experiment"}),
+            "amiss: amiss experiment needs one of its subcommands: plan, run, work, status, merge, plot, verify\n");
+  EXPECT_EQ(said({"dataset", "zzzzzzzz"}),
+            "amiss: amiss dataset has no subcommand 'zzzzzzzz'; there are: make, annotate\n");
+  EXPECT_EQ(said({"tidy", "--wrld", "flat_90"}), "amiss: `amiss tidy` has no option --wrld; did you mean '--world'?\n");
+  EXPECT_EQ(said({"doctor", "--q"}), "amiss: `amiss doctor` has no option --q; `amiss doctor --help` lists them\n");
+  EXPECT_EQ(said({"tidy", "--method", "dynamc"}),
+            "amiss: --method dynamc is not allowed; did you mean 'dynamic'? Allowed: dynamic, static\n");
+  EXPECT_EQ(said({"tidy", "--method=zzz"}), "amiss: --method zzz is not allowed. Allowed: dynamic, static\n");
+  EXPECT_EQ(said({"tidy", "--world", "flat90"}),
+            "amiss: --world flat90: there is no such world; did you mean 'flat_90'?\n");
+  EXPECT_EQ(said({"tidy", "--set", "change.min_voxel=3"}),
+            "amiss: --set: there is no parameter 'change.min_voxel'; did you mean 'change.min_voxels'?\n");
+  folder.write("p.yaml", "change:\n  min_voxel: 3\n");
+  EXPECT_EQ(said({"tidy", "--params", "p.yaml"}),
+            "amiss: p.yaml:2: there is no parameter 'change.min_voxel'; did you mean 'change.min_voxels'?\n");
 }
 
 }  // namespace
