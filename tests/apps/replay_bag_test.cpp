@@ -27,8 +27,9 @@ test::BagPose posed(Stamp stamp, const char* parent, const char* child, const Ei
 }
 
 /// The pictures of a recording by their stamps, as they were before JPEG but for what it took away.
-std::map<Stamp, cv::Mat> pictures_of(const std::filesystem::path& file) {
-  std::map<Stamp, cv::Mat> pictures;
+using Pictures = std::map<Stamp, cv::Mat>;
+Pictures pictures_of(const std::filesystem::path& file) {
+  Pictures pictures;
   recording::McapReader reader(file);
   while (const auto message = reader.next()) {
     if (message->channel->topic != "/camera/rgb/image_raw/compressed") continue;
@@ -46,8 +47,8 @@ struct BagOptions {
 
 class HsrBag {
  public:
-  HsrBag(const std::filesystem::path& recording, const BagOptions& options)
-      : options_(options), pictures_(pictures_of(recording)), bag_("lz4") {
+  HsrBag(const std::filesystem::path& recording, const Pictures& pictures, const BagOptions& options)
+      : options_(options), pictures_(pictures), bag_("lz4") {
     recording::Recording recorded(recording);
     bag_.write("/tf_static", posed({}, kBase, kLaser, recorded.setup().T_base_laser.T));
     int periods = 0;
@@ -93,7 +94,7 @@ class HsrBag {
   }
 
   BagOptions options_;
-  std::map<Stamp, cv::Mat> pictures_;
+  const Pictures& pictures_;
   test::BagWriter bag_;
 };
 
@@ -101,6 +102,7 @@ class HsrBag {
 struct ReplayBag : testing::Test {
   static inline std::unique_ptr<test::TemporaryFolder> folder;
   static inline nlohmann::json of_run;
+  static inline Pictures pictures;
 
   static void SetUpTestSuite() {
     folder = std::make_unique<test::TemporaryFolder>();
@@ -111,6 +113,7 @@ struct ReplayBag : testing::Test {
     recording::Recording recorded(mcap());
     std::filesystem::create_directory(folder->path() / "reference");
     for (const auto& [name, bytes] : recorded.documents()) save_atomically(folder->path() / "reference" / name, bytes);
+    pictures = pictures_of(mcap());
     of_run = nlohmann::json::parse(replay({"run/recording.mcap"}).out);
   }
   static void TearDownTestSuite() { folder.reset(); }
@@ -121,7 +124,7 @@ struct ReplayBag : testing::Test {
     return test::run(words, folder->path());
   }
   static Ended replay_bag(const BagOptions& options, const std::vector<std::string>& more = {}) {
-    folder->write("a.bag", HsrBag(mcap(), options).bytes());
+    folder->write("a.bag", HsrBag(mcap(), pictures, options).bytes());
     std::vector<std::string> words{"a.bag", "--reference", "reference"};
     words.insert(words.end(), more.begin(), more.end());
     return replay(words);
