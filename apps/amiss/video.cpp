@@ -31,6 +31,8 @@ video::Stage make_stage(const Arguments& a, const page::Story& story) {
   world::LoadOptions load;
   for (const std::string& path : a.model_paths) load.model_paths.emplace_back(path);
   const std::string& world = a.world.empty() ? story.place.world : a.world;
+  if (a.world.empty() && world.find('/') != std::string::npos && !std::filesystem::exists(world))
+    throw InputError(world + ": the world of the run is not there any more; --world says where it is now");
   std::set<std::string> kinds;
   for (const auto& [t, body] : story.bodies) kinds.insert(body.kind);
   return {world::load_world(find_world(resources, world), load), load_kinds(resources, kinds, load),

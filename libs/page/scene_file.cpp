@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/files.hpp"
+#include "page/internal/scene_cloud.hpp"
 #include "page/internal/scene_layers.hpp"
 
 namespace amiss::page {
@@ -39,11 +40,17 @@ void set_light(mrpt::opengl::TLightParameters& light) {
   light.direction = mrpt::math::TVector3Df(-0.35F, 0.5F, -0.79F);
 }
 
+std::string bytes_of(mrpt::opengl::COpenGLScene& scene) {
+  set_light(scene.getViewport()->lightParameters());
+  mrpt::io::CMemoryStream memory;
+  mrpt::serialization::archiveFrom(memory) << scene;
+  return gzipped({static_cast<const char*>(memory.getRawBufferData()), memory.getTotalBytesCount()});
+}
+
 }  // namespace
 
 std::string scene_bytes(const Story& story, double t_s) {
   mrpt::opengl::COpenGLScene scene;
-  set_light(scene.getViewport()->lightParameters());
   const SceneLayers layers(scene, story, t_s);
   layers.add_floor();
   layers.add_voxels();
@@ -52,13 +59,15 @@ std::string scene_bytes(const Story& story, double t_s) {
   layers.add_regions();
   layers.add_objects();
   layers.add_robot();
-  mrpt::io::CMemoryStream memory;
-  mrpt::serialization::archiveFrom(memory) << scene;
-  return gzipped({static_cast<const char*>(memory.getRawBufferData()), memory.getTotalBytesCount()});
+  return bytes_of(scene);
 }
 
-void save_scene(const std::filesystem::path& file, const Story& story, double t_s) {
-  save_atomically(file, scene_bytes(story, t_s));
+std::string scene_bytes(const Cloud<Map>& points, const std::vector<Eigen::Vector3d>& camera_way) {
+  mrpt::opengl::COpenGLScene scene;
+  add_cloud(scene, points, camera_way);
+  return bytes_of(scene);
 }
+
+void save_scene(const std::filesystem::path& file, const std::string& bytes) { save_atomically(file, bytes); }
 
 }  // namespace amiss::page

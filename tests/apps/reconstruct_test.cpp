@@ -71,6 +71,11 @@ TEST_F(Reconstruct, GivesPointsTrianglesAndSpace) {
   });
   EXPECT_LT(static_cast<double>(far), 0.02 * static_cast<double>(ply.cloud().points.size()));
 
+  const Ended shown = test::run({"scene", "out", "--out", "room.3Dscene"}, folder.path());
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(folder.read("room.3Dscene").substr(0, 2), "\x1f\x8b");
+  EXPECT_EQ(test::run({"scene", "out", "--out", "room.3Dscene", "--at", "1"}, folder.path()).status, 2);
+
   const dataset::CloudFile mesh = dataset::load_cloud(out / "mesh.ply");
   const mapping::VoxelMap space = mapping::load_voxel_map(out / "space.bt");
   EXPECT_EQ(space.at(Eigen::Vector3d(0.7, 0.0, 0.5)), Occupancy::kFree);

@@ -144,6 +144,15 @@ TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
   EXPECT_EQ(view.wait().status, 0);
   expect_film(folder.path(), "alone");
   expect_scene(folder.path(), "alone");
+  std::string moved = folder.read("alone/timeline.jsonl");
+  const std::string place = R"("place":{"world":"lab_30")";
+  ASSERT_NE(moved.find(place), std::string::npos);
+  std::filesystem::create_directory(folder.path() / "moved");
+  folder.write("moved/timeline.jsonl",
+               moved.replace(moved.find(place), place.size(), R"("place":{"world":"/gone/x.sdf")"));
+  const Ended gone = test::run({"video", "moved", "--out", "film.mp4"}, folder.path());
+  EXPECT_NE(gone.status, 0);
+  EXPECT_NE(gone.err.find("--world says where it is now"), std::string::npos) << gone.err;
 }
 
 TEST(Watch, RefusesWhatItCannotShow) {

@@ -6,10 +6,13 @@
 #include <mrpt/opengl/CCylinder.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
 #include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/opengl/CSetOfTriangles.h>
 #include <mrpt/opengl/CText.h>
+
+#include <array>
 
 #include "core/temporary_folder.hpp"
 #include "video/told_run.hpp"
@@ -42,7 +45,7 @@ struct SceneFile : testing::Test {
 
   void read(const Story& story, double t_s) {
     const auto file = folder.path() / "a.3Dscene";
-    save_scene(file, story, t_s);
+    save_scene(file, scene_bytes(story, t_s));
     ASSERT_TRUE(scene.loadFromFile(file.string()));
     ASSERT_TRUE(scene.getViewport());
   }
@@ -125,7 +128,22 @@ TEST_F(SceneFile, FloorHasASquareForEachKnownCell) {
 TEST_F(SceneFile, IsAFunctionOfItsInputAndWhole) {
   const Story story = story_with_voxels();
   EXPECT_EQ(scene_bytes(story, 10.0), scene_bytes(story, 10.0));
-  EXPECT_THROW(save_scene(folder.path() / "nowhere" / "a.3Dscene", story, 10.0), std::exception);
+  EXPECT_THROW(save_scene(folder.path() / "nowhere" / "a.3Dscene", "bytes"), std::exception);
+}
+
+TEST_F(SceneFile, HasThePointsOfARoomInTheirColours) {
+  Cloud<Map> cloud;
+  cloud.points = {{1.0F, 2.0F, 3.0F}, {-1.0F, 0.5F, 0.25F}};
+  cloud.colours = {{255, 0, 0}, {10, 20, 30}};
+  save_scene(folder.path() / "a.3Dscene", scene_bytes(cloud, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}));
+  ASSERT_TRUE(scene.loadFromFile((folder.path() / "a.3Dscene").string()));
+  const auto points = thing<gl::CPointCloudColoured>("points");
+  ASSERT_TRUE(points);
+  ASSERT_EQ(points->size(), 2U);
+  EXPECT_EQ(points->getPoint3Df(1).z, 0.25F);
+  const auto colour = points->getPointColor(1);
+  EXPECT_EQ((std::array{colour.R, colour.G, colour.B}), (std::array<std::uint8_t, 3>{10, 20, 30}));
+  EXPECT_EQ(thing<gl::CSetOfLines>("camera")->size(), 2U);
 }
 
 TEST_F(SceneFile, ARunWithNothingToTellIsAFloorAndARobot) {
