@@ -122,6 +122,12 @@ TEST_F(StoryOf, RefusesWhatIsNoRun) {
   lines.insert(lines.end() - 1, R"({"e":"voxels","t":0.5,"on":"AAAA","off":""})");
   EXPECT_THROW((void)read_story(lines), InputError) << "three bytes are no voxel";
   EXPECT_THROW((void)read_story({}), InputError);
+  lines = history.lines();
+  const std::string origin = R"("origin":[-1.0,-1.0])";
+  ASSERT_NE(lines[0].find(origin), std::string::npos);
+  lines[0].replace(lines[0].find(origin), origin.size(), R"("origin":[1e300,0])");
+  EXPECT_NE(test::sentence_of<InputError>([&] { (void)read_story(lines); }).find("timeline.jsonl:1: the floor is"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -135,7 +135,8 @@ void SceneLayers::add_floor() const {
       insert(*plan, a, c, d, colour);
     }
   }
-  if (!known.isEmpty()) add_grid(known);
+  constexpr double kLargest_m = 300.0;
+  if (!known.isEmpty() && known.sizes().maxCoeff() < kLargest_m) add_grid(known);
 }
 
 /// Lines along whole metres of the map.

@@ -30,14 +30,17 @@ double number(const Json& list, std::size_t i) { return list.at(i).get<double>()
 
 FloorGrid floor_of(const Json& json) {
   constexpr int kMostCells = 20000;
+  constexpr double kFarthest_m = 1e5, kLargestCell_m = 10.0;
   const int width = json.at("width"), height = json.at("height");
   const double resolution_m = json.at("resolution");
   const std::string bytes = from_base64(json.at("cells").get_ref<const std::string&>());
   const bool good = width >= 0 && height >= 0 && width < kMostCells && height < kMostCells && resolution_m > 0.0;
   const std::size_t cells = good ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
   if (!good || bytes.size() != (cells + 3) / 4) throw InputError("the floor has another size than it says");
-  FloorGrid floor(resolution_m, Eigen::Vector2d(number(json.at("origin"), 0), number(json.at("origin"), 1)), width,
-                  height);
+  const Eigen::Vector2d origin = point_of(json.at("origin"));
+  if (!(origin.cwiseAbs().maxCoeff() < kFarthest_m) || !(resolution_m < kLargestCell_m))
+    throw InputError("the floor is farther away than 100 km, or its cells are larger than 10 m");
+  FloorGrid floor(resolution_m, origin, width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::size_t i = floor.index({x, y});
