@@ -5,6 +5,7 @@
 
 #include "change/internal/baselines.hpp"
 #include "change/internal/candidates.hpp"
+#include "change/internal/recoloured.hpp"
 #include "core/result.hpp"
 
 namespace amiss::change {
@@ -26,6 +27,19 @@ std::vector<Candidate> candidates_of(const RoomPair& pair, From from, Surfaces s
   return internal::candidates_of(pair.current, pair.supports, from, surfaces, params);
 }
 
+/// Clusters of what has another colour than the surface it lies on; what is novel already joins them.
+void add_flat(Found& found, const RoomPair& pair, const NovelParams& params) {
+  for (Indices& cluster : segment::euclidean_clusters(pair.current.points, internal::recoloured(pair, params),
+                                                      static_cast<float>(params.cluster_distance_m),
+                                                      static_cast<std::size_t>(params.min_points))) {
+    Decision decision = internal::described(pair.current, {cluster, "colour", 0.0});
+    const bool large = (decision.high_m - decision.low_m).maxCoeff() > params.max_size_m;
+    decision.verdict = large ? Verdict::kTooLarge : Verdict::kNovel;
+    if (!large) found.novel.insert(found.novel.end(), cluster.begin(), cluster.end());
+    found.decisions.push_back(std::move(decision));
+  }
+}
+
 Found locally_verified(const RoomPair& pair, From from, const NovelParams& params) {
   Found found;
   std::vector<internal::Motion> motions;
@@ -35,6 +49,7 @@ Found locally_verified(const RoomPair& pair, From from, const NovelParams& param
     found.novel.insert(found.novel.end(), v.novel.begin(), v.novel.end());
     std::move(v.decisions.begin(), v.decisions.end(), std::back_inserter(found.decisions));
   }
+  if (from == From::kPlanesAndLabels) add_flat(found, pair, params);
   return found;
 }
 
@@ -56,6 +71,7 @@ Found not_verified(const RoomPair& pair, From from, const NovelParams& params) {
 std::vector<NovelObject> objects_of(const Scene& scene, const internal::ThinnedScene& thinned, Indices novel,
                                     const NovelParams& params) {
   std::sort(novel.begin(), novel.end());
+  novel.erase(std::unique(novel.begin(), novel.end()), novel.end());
   std::vector<NovelObject> objects;
   std::vector<int> object_of(thinned.points.size(), -1);
   for (const Indices& cluster :

@@ -47,6 +47,8 @@ struct NovelParams {
   double max_continued = 0.4;         // of a part that continues a surface
   double nudge_m = 0.03;              // beside an edge of the reference
   double max_nudged = 0.4;            // of a part that stands so near beside an edge
+  double recolour = 60.0;             // Euclidean in RGB of 0..255, by which a flat thing differs from what it lies on
+  double recolour_reach_m = 0.1;      // and from all of the reference that is so near
 };
 void describe(ParamTable& table, NovelParams& p);
 
@@ -66,7 +68,7 @@ enum class Verdict {
 
 /// What was decided about one candidate, and why.
 struct Decision {
-  std::string source;  // "plane", "otherprop", "difference"
+  std::string source;  // "plane", "otherprop", "colour"
   Verdict verdict = Verdict::kNovel;
   int points = 0;                                                                     // of the thinned cloud
   SemanticClass label = SemanticClass::kUnlabelled;                                   // of most of its points

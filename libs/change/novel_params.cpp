@@ -36,6 +36,10 @@ void describe(ParamTable& table, NovelParams& p) {
   table.number("detect.nudge", p.nudge_m, "m", 0.0, 0.2,
                "how far furniture is nudged: what is so near beside the reference, at its height, is its edge");
   table.number("detect.max_nudged", p.max_nudged, "1", 0.0, 1.0, "share of a part that may be such an edge");
+  table.number("detect.recolour", p.recolour, "1", 0.0, 442.0,
+               "Euclidean in RGB of 0..255, by which a flat thing differs from what it lies on");
+  table.number("detect.recolour_reach", p.recolour_reach_m, "m", 0.0, 0.5,
+               "and from everything of the reference that is so near, at its height");
 }
 
 std::string_view name_of(Verdict verdict) {

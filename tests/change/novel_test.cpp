@@ -170,6 +170,54 @@ TEST(Novel, EdgesOfNudgedFurnitureAreNoObjects) {
   }
 }
 
+TEST(Novel, FlatThingIsFoundByItsColourAlone) {
+  const auto add_sheet = [](Room& room, Rgb colour) {
+    room.box({0.3F, 0.2F, 0.70F}, {0.16F, 0.12F, 0.004F}, 0.0F, colour, SemanticClass::kTable);
+  };
+  const auto detect = [](const Room& now) {
+    return detect_novel(Room(1).scene(), now.scene(), "local-verification").objects;
+  };
+  Room table_coloured(2), shaded(2), blue(2);
+  add_sheet(table_coloured, {150, 110, 70});
+  EXPECT_TRUE(detect(table_coloured).empty());
+  add_sheet(shaded, {60, 44, 28});  // the mean of both is two thirds of the table's colour
+  EXPECT_TRUE(detect(shaded).empty());
+  const std::size_t before = blue.size();
+  add_sheet(blue, {20, 20, 220});
+  const Detection detection = detect_novel(Room(1).scene(), blue.scene(), "local-verification");
+  ASSERT_EQ(detection.objects.size(), 1U);
+  EXPECT_GT(share(blue.since(before), found_points(detection)), 0.9);
+  EXPECT_EQ(detection.decisions.back().source, "colour");
+  Scene grey = blue.scene();
+  grey.cloud.colours.clear();
+  EXPECT_TRUE(detect_novel(Room(1).scene(), grey, "local-verification").objects.empty());
+}
+
+TEST(Novel, FlatThingThatWasNudgedIsNoObject) {
+  const auto with_mat = [](std::uint64_t seed, float x) {
+    Room room(seed);
+    room.box({x, 0.2F, 0.70F}, {0.3F, 0.2F, 0.004F}, 0.0F, kBlue, SemanticClass::kTable);
+    return room.scene();
+  };
+  EXPECT_TRUE(detect_novel(with_mat(1, 0.3F), with_mat(2, 0.36F), "local-verification").objects.empty());
+}
+
+TEST(Novel, ObjectBesideANudgedEdgeIsFoundWithoutIt) {
+  const auto add_sideboard = [](Room& room) {
+    room.box({-0.3F, -0.45F, 0.0F}, {1.7F, 0.25F, 0.4F}, 0.0F, kGrey, SemanticClass::kCabinet);
+  };
+  Room reference(1), now(2);
+  add_sideboard(reference);
+  add_sideboard(now);
+  now.box({0.2F, -0.2F, 0.05F}, {0.4F, 0.025F, 0.3F}, 0.0F, kGrey, SemanticClass::kCabinet);
+  const std::size_t before = now.size();
+  now.box({0.3F, -0.17F, 0.05F}, {0.1F, 0.09F, 0.2F}, 0.0F, kGrey, SemanticClass::kOtherProp);
+  const Detection detection = detect_novel(reference.scene(), now.scene(), "local-verification");
+  EXPECT_TRUE(decided(detection, Verdict::kNudged));
+  ASSERT_EQ(detection.objects.size(), 1U);
+  EXPECT_GT(share(found_points(detection), now.since(before)), 0.8);
+}
+
 TEST(Novel, MoreOfAWallIsNoObjectUnlessItsPlaceWasSeenEmpty) {
   const auto in_hole = [](const Eigen::Vector3f& p) {
     return p.y() > 1.05F && p.x() > 0.3F && p.x() < 0.5F && p.z() > 0.1F;

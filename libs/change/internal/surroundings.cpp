@@ -18,7 +18,16 @@ double share_of(const segment::Indices& points, Holds holds) {
   return static_cast<double>(yes) / static_cast<double>(n);
 }
 
+bool alike(const RoomPair& pair, std::uint32_t i, std::uint32_t j, const NovelParams& params) {
+  if (pair.reference.colours.empty() || pair.current.colours.empty()) return true;
+  const float distance = (pair.reference.colours[j] - pair.current.colours[i]).norm();
+  return static_cast<double>(distance) <= params.max_colour_distance;
+}
+
+}  // namespace
+
 bool continues(const RoomPair& pair, std::uint32_t i, const NovelParams& params) {
+  if (pair.reference_space == nullptr) return false;
   const Eigen::Vector3f& p = pair.placed[i];
   if (pair.reference_space->at(p.cast<double>()) == Occupancy::kFree) return false;
   const auto offset = static_cast<float>(params.planes.distance_m);
@@ -26,7 +35,7 @@ bool continues(const RoomPair& pair, std::uint32_t i, const NovelParams& params)
       .nearest_of(p, static_cast<float>(params.continuation_m),
                   [&](std::uint32_t j) {
                     const Eigen::Vector3f& n = pair.reference.normals[j];
-                    return std::abs(n.dot(pair.current.normals[i])) >= kSameNormal &&
+                    return alike(pair, i, j, params) && std::abs(n.dot(pair.current.normals[i])) >= kSameNormal &&
                            std::abs(n.dot(p - pair.reference.points[j])) <= offset;
                   })
       .has_value();
@@ -45,10 +54,7 @@ bool nudged(const RoomPair& pair, std::uint32_t i, const NovelParams& params) {
       .has_value();
 }
 
-}  // namespace
-
 double continued_share(const RoomPair& pair, const segment::Indices& points, const NovelParams& params) {
-  if (pair.reference_space == nullptr) return 0.0;
   return share_of(points, [&](std::uint32_t i) { return continues(pair, i, params); });
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMaxFurnitureM = 1.6;    // what is wider is built in, and does not move
 constexpr double kMinUnexplained = 0.05;  // of a cluster, before it is asked whether it moved as a whole
+constexpr std::size_t kMinRest = 100;     // points of a thing beside what is no object; less are its frayed edges
 
 using segment::Indices;
 
@@ -63,13 +64,14 @@ Motion motion_of(const RoomPair& pair, const Indices& points, const Fit& fit, co
   return motion;
 }
 
+bool unseen(const RoomPair& pair, std::uint32_t i) {
+  return pair.reference_space != nullptr &&
+         pair.reference_space->at(pair.placed[i].cast<double>()) == Occupancy::kUnknown;
+}
+
 double unseen_share(const RoomPair& pair, const Indices& points) {
-  if (pair.reference_space == nullptr) return 0.0;
-  std::size_t unseen = 0;
-  for (const std::uint32_t i : points) {
-    if (pair.reference_space->at(pair.placed[i].cast<double>()) == Occupancy::kUnknown) ++unseen;
-  }
-  return static_cast<double>(unseen) / static_cast<double>(points.size());
+  const auto n = std::count_if(points.begin(), points.end(), [&](std::uint32_t i) { return unseen(pair, i); });
+  return static_cast<double>(n) / static_cast<double>(points.size());
 }
 
 /// Upper quartile of the distances from the reference; what is farther than `reach_m` counts as just there.
@@ -105,9 +107,21 @@ std::optional<Fit> moved_a_little(const RoomPair& pair, const Indices& points, D
   return can_be ? std::optional(fit) : std::nullopt;
 }
 
+/// The points of a part that are not what made it no object; none where the verdict does not rest on single points.
+Indices rest_of(const RoomPair& pair, const Indices& points, Verdict verdict, const NovelParams& params) {
+  Indices rest;
+  const auto leave_out = [&](const auto& rule) {
+    std::copy_if(points.begin(), points.end(), std::back_inserter(rest), [&](std::uint32_t i) { return !rule(i); });
+  };
+  if (verdict == Verdict::kUnseen) leave_out([&](std::uint32_t i) { return unseen(pair, i); });
+  if (verdict == Verdict::kContinued) leave_out([&](std::uint32_t i) { return continues(pair, i, params); });
+  if (verdict == Verdict::kNudged) leave_out([&](std::uint32_t i) { return nudged(pair, i, params); });
+  return rest;
+}
+
 /// A part that is not where it was.
-void decide_part(const RoomPair& pair, const Candidate& part, double overlap_at_rest, const NovelParams& params,
-                 Verified& out) {
+Verdict decide_part(const RoomPair& pair, const Candidate& part, double overlap_at_rest, const NovelParams& params,
+                    Verified& out) {
   Decision decision = described(pair.current, part);
   decision.overlap_at_rest = overlap_at_rest;
   decision.unseen = unseen_share(pair, part.points);
@@ -133,7 +147,18 @@ void decide_part(const RoomPair& pair, const Candidate& part, double overlap_at_
     decision.verdict = Verdict::kNovel;
     out.novel.insert(out.novel.end(), part.points.begin(), part.points.end());
   }
-  out.decisions.push_back(std::move(decision));
+  out.decisions.push_back(decision);
+  return decision.verdict;
+}
+
+/// A part, and where most of it is no object by its surroundings, what is left of it: things lean on cushions.
+void decide_part_and_rest(const RoomPair& pair, const Candidate& part, double overlap_at_rest,
+                          const NovelParams& params, Verified& out) {
+  const Verdict verdict = decide_part(pair, part, overlap_at_rest, params, out);
+  for (Indices& rest : segment::euclidean_clusters(pair.current.points, rest_of(pair, part.points, verdict, params),
+                                                   static_cast<float>(params.filter_distance_m), kMinRest)) {
+    decide_part(pair, {std::move(rest), part.source, part.support_height_m}, overlap_at_rest, params, out);
+  }
 }
 
 }  // namespace
@@ -181,8 +206,8 @@ Verified verified(const RoomPair& pair, const Candidate& candidate, const std::v
     }
   }
   for (Indices& part : rest) {
-    decide_part(pair, {std::move(part), candidate.source, candidate.support_height_m}, whole.overlap_at_rest, params,
-                out);
+    decide_part_and_rest(pair, {std::move(part), candidate.source, candidate.support_height_m}, whole.overlap_at_rest,
+                         params, out);
   }
   if (rest.empty() || whole.verdict == Verdict::kMovedALittle) out.decisions.insert(out.decisions.begin(), whole);
   return out;
