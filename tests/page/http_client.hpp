@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -134,7 +135,9 @@ class SocketClient {
   /// Text of all frames until it holds `last`.
   std::string read_until(std::string_view last) {
     std::string text;
-    while (text.find(last) == std::string::npos) {
+    std::size_t searched = 0;  // text may be long: none of it is searched twice
+    while (text.find(last, searched) == std::string::npos) {
+      searched = text.size() - std::min(text.size(), last.size());
       if (!take_frame(text)) {
         const std::string more = client_.receive([](const std::string& got) { return !got.empty(); });
         if (more.empty()) break;
