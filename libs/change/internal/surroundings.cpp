@@ -49,7 +49,8 @@ bool nudged(const RoomPair& pair, std::uint32_t i, const NovelParams& params) {
       .nearest_of(p, reach,
                   [&](std::uint32_t j) {
                     const Eigen::Vector3f d = p - pair.reference.points[j];
-                    return std::abs(d.z()) <= level && static_cast<double>(d.head<2>().norm()) <= params.nudge_m;
+                    return alike(pair, i, j, params) && std::abs(d.z()) <= level &&
+                           static_cast<double>(d.head<2>().norm()) <= params.nudge_m;
                   })
       .has_value();
 }

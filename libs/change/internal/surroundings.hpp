@@ -12,8 +12,9 @@ namespace amiss::change::internal {
 /// reference did not see empty space. Without a map of space all is taken as seen, and nothing continues.
 [[nodiscard]] bool continues(const RoomPair& pair, std::uint32_t i, const NovelParams& params);
 
-/// Point i has something of the reference beside it, at its own height and at most nudge_m away: furniture is nudged
-/// level, and leaves a strip along its edges. What lies flat on a surface is higher than the surface.
+/// Point i has something of its colour in the reference beside it, at its own height and at most nudge_m away:
+/// furniture is nudged level, and leaves a strip along its edges. What lies flat on a surface is higher than the
+/// surface.
 [[nodiscard]] bool nudged(const RoomPair& pair, std::uint32_t i, const NovelParams& params);
 
 /// Shares of the points of which that holds.

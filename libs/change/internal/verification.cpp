@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMaxFurnitureM = 1.6;    // what is wider is built in, and does not move
 constexpr double kMinUnexplained = 0.05;  // of a cluster, before it is asked whether it moved as a whole
-constexpr std::size_t kMinRest = 100;     // points of a thing beside what is no object; less are its frayed edges
+constexpr std::size_t kMinRest = 60;      // points of a thing beside what is no object; less are its frayed edges
 
 using segment::Indices;
 
@@ -108,7 +108,9 @@ std::optional<Fit> moved_a_little(const RoomPair& pair, const Indices& points, D
 }
 
 /// The points of a part that are not what made it no object; none where the verdict does not rest on single points.
-Indices rest_of(const RoomPair& pair, const Indices& points, Verdict verdict, const NovelParams& params) {
+Indices rest_of(const RoomPair& pair, const Indices& points, Verdict verdict, const std::vector<Motion>& motions,
+                const NovelParams& params) {
+  if (verdict == Verdict::kMovedALittle) return left_by(pair, points, motions.back(), params);
   Indices rest;
   const auto leave_out = [&](const auto& rule) {
     std::copy_if(points.begin(), points.end(), std::back_inserter(rest), [&](std::uint32_t i) { return !rule(i); });
@@ -155,8 +157,9 @@ Verdict decide_part(const RoomPair& pair, const Candidate& part, double overlap_
 void decide_part_and_rest(const RoomPair& pair, const Candidate& part, double overlap_at_rest,
                           const NovelParams& params, Verified& out) {
   const Verdict verdict = decide_part(pair, part, overlap_at_rest, params, out);
-  for (Indices& rest : segment::euclidean_clusters(pair.current.points, rest_of(pair, part.points, verdict, params),
-                                                   static_cast<float>(params.filter_distance_m), kMinRest)) {
+  for (Indices& rest :
+       segment::euclidean_clusters(pair.current.points, rest_of(pair, part.points, verdict, out.motions, params),
+                                   static_cast<float>(params.filter_distance_m), kMinRest)) {
     decide_part(pair, {std::move(rest), part.source, part.support_height_m}, overlap_at_rest, params, out);
   }
 }
