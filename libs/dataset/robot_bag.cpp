@@ -122,6 +122,7 @@ class RobotBag::State {
     const PlacedTopic& topic = topic_of(topics_.scans, options_.scan_topic, "sensor_msgs/LaserScan", name_);
     need_place(topic.frame);
     std::optional<Eigen::Isometry3d> T;
+    bool is_any_placed = false;
     for (const StampedPlace& scan : topic.places) {
       const auto pose = pose_at(poses_, scan.stamp);
       if (!T) T = topics_.frames.at(options_.base_frame, topic.frame, scan.stamp);
@@ -132,8 +133,9 @@ class RobotBag::State {
       Places& moment = moments_[scan.stamp];
       moment.T_odom_base = *pose;
       moment.scan = scan.place;
+      is_any_placed = true;
     }
-    if (!T) throw InputError(name_ + ": no scan lies in the time of its odometry and transforms");
+    if (!is_any_placed) throw InputError(name_ + ": no scan lies in the time of its odometry and transforms");
     T_base_laser = {*T};
   }
 
@@ -148,8 +150,8 @@ class RobotBag::State {
   void place_frames() {
     const PlacedTopic& depth = depth_topic();
     need_place(depth.frame);
-    const CameraIntrinsics* camera = camera_beside(topics_.cameras, options_.depth_topic);
-    if (camera == nullptr) throw InputError(name_ + ": has no CameraInfo beside '" + options_.depth_topic + "'");
+    const auto camera = camera_beside(topics_, options_.depth_topic, name_);
+    if (!camera) throw InputError(name_ + ": has no CameraInfo beside '" + options_.depth_topic + "'");
     camera_ = *camera;
     const auto colours = colours_of(depth);
     const Duration period = duration_of(options_.frame_period_s) - std::chrono::milliseconds(1);

@@ -26,7 +26,7 @@ struct Contents {
   std::string compression = "none";
   bool odometry = true, colours = true, laser_frame = true;
   std::string packed = {};  // format of packed depth; then colours are packed too
-  double frame_step_s = 0.1;
+  double frame_step_s = 0.1, scans_late_s = 0.0;
 };
 
 constexpr const char *kDepth = "/hsrb/head_rgbd_sensor/depth_registered/image_rect_raw",
@@ -53,6 +53,7 @@ std::string bag_bytes(const Contents& contents) {
   if (contents.laser_frame) bag.write("/tf_static", turned(90.0, kBase, "laser", 0.25, 0.0));
   bag.write("/tf_static", turned(90.0, kBase, "torso", 0.0, M_PI_2));
   bag.write(std::string(kRgbd) + "depth_registered/camera_info", test::BagCamera{4, 2, 5.0, 5.0, 5.0, 1.5, 0.5});
+  bag.write("/hand_camera/camera_info", test::BagCamera{4, 2});  // never calibrated, and not asked for
   for (int i = 0; i <= 10; ++i) {
     const double t = 100.0 + 0.1 * i;
     bag.write("/tf", turned(t, "torso", "camera", 0.0, 0.1 * i));
@@ -61,7 +62,7 @@ std::string bag_bytes(const Contents& contents) {
     bag.write(
         "/hsrb/base_scan",
         test::BagScan{
-            t + 0.025, "laser", -1.0, 0.5, 0.05, 20.0, {1.5F, 0.01F, 25.0F, std::numeric_limits<float>::infinity()}});
+            t + 0.025 + contents.scans_late_s, "laser", -1.0, 0.5, 0.05, 20.0, {1.5F, 0.01F, 25.0F, std::numeric_limits<float>::infinity()}});
   }
   for (double t = 100.05; t < 101.0; t += contents.frame_step_s) {
     contents.packed.empty() ? write_images(bag, t, contents.colours) : write_packed(bag, t, contents.packed);
@@ -160,6 +161,7 @@ TEST_F(RobotBagTest, SaysWhatIsMissing) {
   says(why({}, {.depth_topic = "/hsrb/head_rgbd_sensor/rgb/image_rect_color"}), "of sensor_msgs/Image (16UC1");
   says(why({.laser_frame = false}), "do not say where the frame 'laser' is in 'base_footprint'");
   says(why({}, {.base_frame = "base_link"}), "do not say where the frame 'laser' is in 'base_link'");
+  says(why({.scans_late_s = 3600.0}), "no scan lies in the time of its odometry and transforms");
   EXPECT_FALSE(RobotBag::is_bag(folder.write("b", "x")));
 }
 

@@ -31,7 +31,7 @@ const std::pair<const std::string, PlacedTopic>& topic_of(const std::map<std::st
 CameraIntrinsics camera_of(const BagTopics& topics, const std::string& depth_topic, const RecordingOptions& options,
                            const std::string& name) {
   if (options.intrinsics) return *options.intrinsics;
-  if (const CameraIntrinsics* camera = camera_beside(topics.cameras, depth_topic)) return *camera;
+  if (const auto camera = camera_beside(topics, depth_topic, name)) return *camera;
   throw InputError(name + ": has no topic " + depth_topic.substr(0, depth_topic.rfind('/')) +
                    "/camera_info; --intrinsics FX,FY,CX,CY is needed");
 }

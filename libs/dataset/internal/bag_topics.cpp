@@ -40,21 +40,24 @@ BagTopics topics_of(const BagFile& bag, const std::string& name) {
     } else if (connection.type == "nav_msgs/Odometry") {
       add_to(topics.odometries);
     } else if (connection.type == "sensor_msgs/CameraInfo" && !topics.cameras.contains(connection.topic)) {
-      topics.cameras[connection.topic] = parse_ros_camera(message, where);
+      topics.cameras[connection.topic] = message;
     } else if (connection.type == "tf2_msgs/TFMessage" || connection.type == "tf/tfMessage") {
       const bool fixed = connection.topic == "/tf_static";
       for (const RosTransform& one : parse_ros_transforms(message, where)) topics.frames.add(one, fixed);
     }
   });
-  for (auto* those : {&topics.depths, &topics.colours, &topics.packed, &topics.scans, &topics.odometries}) sort_by_time(*those);
+  for (auto* those : {&topics.depths, &topics.colours, &topics.packed, &topics.scans, &topics.odometries}) {
+    sort_by_time(*those);
+  }
   return topics;
 }
 
-const CameraIntrinsics* camera_beside(const std::map<std::string, CameraIntrinsics>& cameras,
-                                      const std::string& image_topic) {
-  const auto found = cameras.find(image_topic.substr(0, image_topic.rfind('/')) + "/camera_info");
-  if (found != cameras.end()) return &found->second;
-  return cameras.size() == 1 ? &cameras.begin()->second : nullptr;
+std::optional<CameraIntrinsics> camera_beside(const BagTopics& topics, const std::string& image_topic,
+                                              const std::string& name) {
+  auto found = topics.cameras.find(image_topic.substr(0, image_topic.rfind('/')) + "/camera_info");
+  if (found == topics.cameras.end() && topics.cameras.size() == 1) found = topics.cameras.begin();
+  if (found == topics.cameras.end()) return std::nullopt;
+  return parse_ros_camera(found->second, name + ", " + found->first);
 }
 
 }  // namespace amiss::dataset

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,15 @@ struct PlacedTopic {
 struct BagTopics {
   std::map<std::string, PlacedTopic> depths, colours, scans, odometries;
   std::map<std::string, PlacedTopic> packed;  // CompressedImage of either kind
-  std::map<std::string, CameraIntrinsics> cameras;
+  std::map<std::string, std::string> cameras;  // a message of each, read where it is needed
   FrameTree frames;
 };
 
 [[nodiscard]] BagTopics topics_of(const BagFile& bag, const std::string& name);
 
-/// Of the topic camera_info beside the images, else the only one; nothing where there is none.
-[[nodiscard]] const CameraIntrinsics* camera_beside(const std::map<std::string, CameraIntrinsics>& cameras,
-                                                    const std::string& image_topic);
+/// Of the topic camera_info beside the images, else the only one; nothing where there is none. InputError where it is
+/// not calibrated; others need not be.
+[[nodiscard]] std::optional<CameraIntrinsics> camera_beside(const BagTopics& topics, const std::string& image_topic,
+                                                            const std::string& name);
 
 }  // namespace amiss::dataset
