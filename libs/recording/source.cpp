@@ -11,6 +11,7 @@ namespace amiss::recording {
 
 std::unique_ptr<Source> open_source(const std::filesystem::path& file, const BagSetting& setting) {
   std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw InputError(file.string() + ": is a folder; a file is needed");
   if (!std::filesystem::is_regular_file(file, error)) throw InputError(file.string() + ": there is no such file");
   std::string begin(8, '\0');
   std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));

@@ -19,6 +19,7 @@ TEST(Source, TheFirstBytesTellTheFormat) {
   EXPECT_NE(why(folder.write("c", "\x1f\x8b")).find("does not hold what a replay needs"), std::string::npos);
   EXPECT_NE(why(folder.write("d", "")).find("is no MCAP file, no rawlog and no ROS 1 bag"), std::string::npos);
   EXPECT_NE(why(folder.write("f", "#ROSBAG V2.0\n")).find("has no topic '/hsrb/odom'"), std::string::npos);
+  EXPECT_NE(why(folder.path()).find("is a folder; a file is needed"), std::string::npos);
   EXPECT_NE(why(folder.path() / "e").find("there is no such file"), std::string::npos);
 }
 
