@@ -103,11 +103,14 @@ struct Basis {
   mission::Reference reference;
 };
 
+InputError no_reference(const Arguments& a) {
+  return InputError(a.file + ": holds no reference; --reference DIR names a folder of `amiss map`");
+}
+
 Basis basis_of(const Arguments& a, const recording::Source& source) {
   const auto& documents = source.documents();
   if (a.reference.empty()) {
-    if (documents.empty())
-      throw InputError(a.file + ": holds no reference; --reference DIR names a folder of `amiss map`");
+    if (documents.empty()) throw no_reference(a);
     for (const char* name : {"params.yaml", "map.yaml", "map.pgm", "mapped.ot", "reference.ot"}) {
       if (!documents.contains(name)) throw InputError(a.file + ": " + name + " is not attached to it");
     }
@@ -123,12 +126,13 @@ Basis basis_of(const Arguments& a, const recording::Source& source) {
 }
 
 int run(const Arguments& a) {
-  catch_interrupts();
   recording::BagSetting bag{a.bag, {}};
   if (!a.start.empty()) bag.T_map_base = {a.start.at(0), a.start.at(1), radians(a.start.at(2))};
+  if (a.reference.empty() && dataset::RobotBag::is_bag(a.file)) throw no_reference(a);  // reading it takes long
   const auto source = recording::open_source(a.file, bag);
+  catch_interrupts();  // not before: nobody asks while a bag is read
   if (!a.start.empty() && source->tells_decisions()) {
-    throw InputError(a.file + ": is the recording of a run, which knows where it began; --start is for bags");
+    throw ArgumentError(a.file + ": is the recording of a run, which knows where it began; --start is for bags");
   }
   const auto [settings, reference] = basis_of(a, *source);
   std::optional<report::RunFolder> folder;

@@ -77,8 +77,9 @@ void add_video_command(CLI::App& app, int& exit_status) {
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   video->add_option("--fps", a->frames_per_s, "frames a second")->check(CLI::Range(1, 60))->capture_default_str();
-  const CLI::Validator even([](const std::string& text) { return std::stoi(text) % 2 == 0 ? "" : "has to be even"; },
-                            "even");
+  const CLI::Validator even(
+      [](const std::string& text) { return text.find_last_of("02468") + 1 == text.size() ? "" : "has to be even"; },
+      "even");
   video->add_option("--width", a->width, "of the picture [px], even")
       ->check(CLI::Range(160, 3840) & even)
       ->capture_default_str();

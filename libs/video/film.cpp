@@ -51,6 +51,7 @@ bool has_ffmpeg() { return std::system("command -v ffmpeg >/dev/null 2>&1") == 0
 Film::Film(std::filesystem::path file, const FilmFormat& format) : file_(std::move(file)) {
   const std::string ending = file_.extension().string();
   if (ending != ".mp4" && ending != ".gif") throw ArgumentError(file_.string() + ": .mp4 and .gif are allowed");
+  if (std::filesystem::is_directory(file_)) throw ArgumentError(file_.string() + ": is a folder; a file is needed");
   if (!has_ffmpeg()) throw InputError("the program ffmpeg is not installed: `apt-get install ffmpeg`");
   unfinished_ = file_;
   unfinished_ += ".unfinished";

@@ -72,7 +72,12 @@ TEST(Film, SaysInOneSentenceWhyFfmpegFailed) {
   EXPECT_EQ(said.find('\n'), std::string::npos);
 }
 
-TEST(Film, RefusesOtherEndings) { EXPECT_THROW(Film("film.avi", {}), ArgumentError); }
+TEST(Film, RefusesOtherEndingsAndFolders) {
+  EXPECT_THROW(Film("film.avi", {}), ArgumentError);
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "film.mp4");
+  EXPECT_THROW(Film(folder.path() / "film.mp4", {}), ArgumentError);
+}
 
 }  // namespace
 }  // namespace amiss::video
