@@ -14,7 +14,11 @@ RawlogRecording::RawlogRecording(const std::filesystem::path& file) : path_(file
     const auto* data = std::get_if<RawlogData>(&*first_);
     if (data == nullptr) break;
     if (data->label == RawlogWriter::kSetup) {
-      setup_ = parse_setup(data->bytes);
+      try {
+        setup_ = parse_setup(data->bytes);
+      } catch (const InputError& e) {
+        throw InputError(file.string() + ": " + e.what());
+      }
       has_setup = true;
     } else if (data->label.starts_with(documents)) {
       documents_[data->label.substr(documents.size())] = data->bytes;
@@ -23,8 +27,9 @@ RawlogRecording::RawlogRecording(const std::filesystem::path& file) : path_(file
     }
   }
   if (has_setup) return;
-  throw InputError(file.string() +
-                   ": does not hold what a replay needs (`amiss tidy --record rawlog` makes one that does)");
+  const bool is_cut = !first_ && !reader_.complete();
+  throw InputError(file.string() + ": does not hold what a replay needs" + (is_cut ? ", or breaks off before it" : "") +
+                   " (`amiss tidy --record rawlog` makes one that does)");
 }
 
 std::optional<Entry> RawlogRecording::next() {

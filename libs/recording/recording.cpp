@@ -8,10 +8,16 @@ namespace amiss::recording {
 Recording::Recording(const std::filesystem::path& file) : path_(file), reader_(file) {
   while (const auto message = reader_.next()) {
     if (message->channel->schema != "amiss_msgs/msg/Setup") continue;
-    setup_ = parse_setup(message->data);
+    try {
+      setup_ = parse_setup(message->data);
+    } catch (const InputError& e) {
+      throw InputError(file.string() + ": " + e.what());
+    }
     return;
   }
-  throw InputError(file.string() + ": is no recording of a run (`amiss tidy --record mcap` makes one)");
+  throw InputError(file.string() + ": is no recording of a run" +
+                   (reader_.complete() ? "" : ", or breaks off before it begins") +
+                   " (`amiss tidy --record mcap` makes one)");
 }
 
 std::optional<Entry> Recording::next() {

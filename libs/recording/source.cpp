@@ -16,7 +16,7 @@ std::unique_ptr<Source> open_source(const std::filesystem::path& file, const Bag
   std::string begin(8, '\0');
   std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
   if (begin.starts_with("\x89MCAP0\r\n")) return std::make_unique<Recording>(file);
-  if (begin.starts_with("\x1f\x8b")) return std::make_unique<RawlogRecording>(file);
+  if (begin.starts_with("\x1f\x8b") || begin.substr(1, 6) == "mrpt::") return std::make_unique<RawlogRecording>(file);
   if (dataset::RobotBag::is_bag(file)) return std::make_unique<BagSource>(file, setting.bag, setting.T_map_base);
   throw InputError(file.string() + ": is no MCAP file, no rawlog and no ROS 1 bag of format 2.0 (it begins otherwise)");
 }

@@ -15,7 +15,22 @@ TEST(Recording, AnotherMcapFileIsRefused) {
   writer.write(writer.add_channel("/a", "cdr", "x/msg/A", "ros2msg", "int32 a\n"), {}, "1234");
   writer.close();
   const std::string said = test::sentence_of<InputError>([&] { Recording recording(folder.path() / "other.mcap"); });
-  EXPECT_NE(said.find("is no recording of a run"), std::string::npos) << said;
+  EXPECT_NE(said.find("is no recording of a run ("), std::string::npos) << said;
+}
+
+TEST(Recording, ASetupThatIsCutShortOrMissingIsToldWithTheFile) {
+  const test::TemporaryFolder folder;
+  const auto why = [&](std::size_t bytes_left_out) {
+    McapWriter writer(folder.path() / "a.mcap", "ros2");
+    writer.write(writer.add_channel("/amiss/setup", "cdr", "amiss_msgs/msg/Setup", "ros2msg", ""), {}, "1234");
+    writer.close();
+    const std::string whole = folder.read("a.mcap");
+    folder.write("a.mcap", std::string_view(whole).substr(0, whole.size() - bytes_left_out));
+    return test::sentence_of<InputError>([&] { Recording recording(folder.path() / "a.mcap"); });
+  };
+  EXPECT_NE(why(0).find("a.mcap: a message of the setup is cut short"), std::string::npos) << why(0);
+  const std::size_t all_but_head = std::filesystem::file_size(folder.path() / "a.mcap") - 20;
+  EXPECT_NE(why(all_but_head).find("or breaks off before it begins"), std::string::npos) << why(all_but_head);
 }
 
 TEST(Recording, AnObservationWithoutItsImagesIsRefusedWithItsTime) {
