@@ -45,7 +45,8 @@ class Teller {
  private:
   void note(Note::Kind kind, std::string text) { story.notes.push_back({t_, {kind, std::move(text)}}); }
   void start(const Json& e) {
-    if (!e.contains("place")) throw InputError("does not say where the run took place, since an earlier amiss made it; a newer run is needed");
+    if (!e.contains("place"))
+      throw InputError("does not say where the run took place, since an earlier amiss made it; a newer run is needed");
     story.world = e.at("world");
     story.method = e.at("method");
     story.seed = e.at("seed");

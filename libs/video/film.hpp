@@ -1,8 +1,8 @@
 // A film file from frames, by the program ffmpeg, which gets them through a pipe: .mp4 (H.264) or .gif (256 colours, a
 // palette of its own). The file is there when finish() returns, and not before.
 // in: frames of kFrameWidth x kFrameHeight     out: the file, `width` pixels wide
-// ArgumentError for another ending or a folder; InputError where ffmpeg is not installed; std::runtime_error where it fails, with
-// the first line that it says; nothing of it goes to standard error.
+// ArgumentError for another ending or a folder; InputError where ffmpeg is not installed; std::runtime_error where it
+// fails, with the first line that it says; nothing of it goes to standard error.
 #pragma once
 
 #include <cstdio>

@@ -59,10 +59,13 @@ std::string bag_bytes(const Contents& contents) {
     bag.write("/tf", turned(t, "torso", "camera", 0.0, 0.1 * i));
     contents.odometry ? bag.write_odometry("/hsrb/odom", turned(t, "odom", kBase, 0.1 * i, 3.1 + 0.02 * i))
                       : bag.write("/tf", turned(t, "odom", kBase, 0.1 * i, 3.1 + 0.02 * i));
-    bag.write(
-        "/hsrb/base_scan",
-        test::BagScan{
-            t + 0.025 + contents.scans_late_s, "laser", -1.0, 0.5, 0.05, 20.0, {1.5F, 0.01F, 25.0F, std::numeric_limits<float>::infinity()}});
+    bag.write("/hsrb/base_scan", test::BagScan{t + 0.025 + contents.scans_late_s,
+                                               "laser",
+                                               -1.0,
+                                               0.5,
+                                               0.05,
+                                               20.0,
+                                               {1.5F, 0.01F, 25.0F, std::numeric_limits<float>::infinity()}});
   }
   for (double t = 100.05; t < 101.0; t += contents.frame_step_s) {
     contents.packed.empty() ? write_images(bag, t, contents.colours) : write_packed(bag, t, contents.packed);

@@ -23,7 +23,7 @@ struct PlacedTopic {
 };
 struct BagTopics {
   std::map<std::string, PlacedTopic> depths, colours, scans, odometries;
-  std::map<std::string, PlacedTopic> packed;  // CompressedImage of either kind
+  std::map<std::string, PlacedTopic> packed;   // CompressedImage of either kind
   std::map<std::string, std::string> cameras;  // a message of each, read where it is needed
   FrameTree frames;
 };
