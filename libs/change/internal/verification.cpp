@@ -208,6 +208,10 @@ Verified verified(const RoomPair& pair, const Candidate& candidate, const std::v
       rest = parts();
     }
   }
+  // Small things lose their lowest points to what they lie on: then the whole counts, if it is enough.
+  if (rest.empty() && whole.verdict == Verdict::kAtRest && whole.overlap_at_rest < params.max_overlap) {
+    rest.push_back(candidate.points);
+  }
   for (Indices& part : rest) {
     decide_part_and_rest(pair, {std::move(part), candidate.source, candidate.support_height_m}, whole.overlap_at_rest,
                          params, out);
