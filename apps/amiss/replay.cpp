@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -29,6 +30,7 @@ struct Arguments {
   std::vector<std::string> overrides;
   std::vector<double> start;  // m, m, degrees
   dataset::RobotBagOptions bag;
+  std::vector<const CLI::Option*> of_bags;
   bool json = false, quiet = false;
 };
 
@@ -53,7 +55,8 @@ class Unpacked {
   fs::path folder_;
 };
 
-nlohmann::ordered_json json_of(const recording::ReplayReport& report, const knowledge::Knowledge& known) {
+nlohmann::ordered_json json_of(const recording::ReplayReport& report, std::size_t dropped,
+                               const knowledge::Knowledge& known) {
   nlohmann::ordered_json regions = nlohmann::ordered_json::array(), objects = regions;
   for (const knowledge::Region& r : known.regions) {
     const knowledge::Cylinder& c = r.cylinder;
@@ -77,13 +80,14 @@ nlohmann::ordered_json json_of(const recording::ReplayReport& report, const know
           {"simulated_s", seconds(report.pose.stamp)},
           {"periods", report.periods},
           {"frames", report.frames},
+          {"dropped", dropped},
           {"comparisons", report.comparisons},
           {"segmentations", report.segmentations},
           {"regions", regions},
           {"objects", objects}};
 }
 
-void print(const recording::ReplayReport& report, const knowledge::Knowledge& known) {
+void print(const recording::ReplayReport& report, std::size_t dropped, const knowledge::Knowledge& known) {
   std::cout << fmt::format("{:>6}  {:>18}  {:>8}  {:>9}  {}\n", "region", "where (map)", "radius", "first", "state");
   for (const knowledge::Region& r : known.regions) {
     std::cout << fmt::format("{:>6}  ({:7.3f}, {:7.3f})  {:6.3f} m  {:7.1f} s  {}\n", r.id, r.cylinder.centre_map.x(),
@@ -95,6 +99,8 @@ void print(const recording::ReplayReport& report, const knowledge::Knowledge& kn
   std::cout << fmt::format("{} frames, {} comparisons, {} segmentations, {} objects in {:.1f} s (recorded){}\n",
                            report.frames, report.comparisons, report.segmentations, known.objects.size(),
                            seconds(report.pose.stamp), report.complete ? "" : "; the recording breaks off here");
+  if (dropped > 0)
+    std::cout << fmt::format("{} scans and frames have no odometry or no transform near them\n", dropped);
 }
 
 /// What the recording was made with, or what the user says instead.
@@ -127,12 +133,20 @@ Basis basis_of(const Arguments& a, const recording::Source& source) {
 
 int run(const Arguments& a) {
   recording::BagSetting bag{a.bag, {}};
+  const auto given = [&](const char* option) {
+    return std::any_of(a.of_bags.begin(), a.of_bags.end(),
+                       [&](const CLI::Option* one) { return one->count() > 0 && one->check_lname(option); });
+  };
+  bag.bag.is_odometry_needed = given("odometry-topic");
+  bag.bag.is_colour_needed = given("colour-topic");
   if (!a.start.empty()) bag.T_map_base = {a.start.at(0), a.start.at(1), radians(a.start.at(2))};
   if (a.reference.empty() && dataset::RobotBag::is_bag(a.file)) throw no_reference(a);  // reading it takes long
   const auto source = recording::open_source(a.file, bag);
   catch_interrupts();  // not before: nobody asks while a bag is read
-  if (!a.start.empty() && source->tells_decisions()) {
-    throw ArgumentError(a.file + ": is the recording of a run, which knows where it began; --start is for bags");
+  for (const CLI::Option* option : a.of_bags) {
+    if (option->count() == 0 || !source->tells_decisions()) continue;
+    throw ArgumentError(a.file + ": is the recording of a run, which says that itself; " + option->get_name() +
+                        " is for bags");
   }
   const auto [settings, reference] = basis_of(a, *source);
   std::optional<report::RunFolder> folder;
@@ -143,7 +157,7 @@ int run(const Arguments& a) {
   mission::Sinks sinks;
   sinks.stop = interrupted;
   const recording::ReplayReport report = recording::replay(*source, reference, settings.mission, knowledge, sinks);
-  const std::string json = json_of(report, knowledge.now()).dump(2) + "\n";
+  const std::string json = json_of(report, source->dropped(), knowledge.now()).dump(2) + "\n";
   if (folder) {
     folder->save("current.ot", mapping::voxel_map_bytes(report.voxels, mapping::VoxelFormat::kOt));
     knowledge.close();
@@ -152,20 +166,21 @@ int run(const Arguments& a) {
   if (a.json) {
     std::cout << json;
   } else if (!a.quiet) {
-    print(report, knowledge.now());
+    print(report, source->dropped(), knowledge.now());
   }
   return interrupted() ? kInterrupted : kGoalMet;
 }
 
 void add_bag_options(CLI::App& command, Arguments& a) {
-  command
-      .add_option("--start", a.start,
-                  "of a bag: where on the map the robot begins, X,Y,HEADING in m and degrees [0,0,0]")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(CLI::Range(-1e4, 1e4));
+  a.of_bags.push_back(
+      command
+          .add_option("--start", a.start,
+                      "of a bag: where on the map the robot begins, X,Y,HEADING in m and degrees [0,0,0]")
+          ->delimiter(',')
+          ->expected(3)
+          ->check(CLI::Range(-1e4, 1e4)));
   const auto add = [&](const char* name, std::string& value, const std::string& what) {
-    command.add_option(name, value, "of a bag: " + what)->type_name("NAME")->capture_default_str();
+    a.of_bags.push_back(command.add_option(name, value, "of a bag: " + what)->type_name("NAME")->capture_default_str());
   };
   add("--odometry-topic", a.bag.odometry_topic, "nav_msgs/Odometry; where it is missing, /tf says the same");
   add("--scan-topic", a.bag.scan_topic, "sensor_msgs/LaserScan");
@@ -175,12 +190,12 @@ void add_bag_options(CLI::App& command, Arguments& a) {
       "sensor_msgs/Image, registered, else NAME/compressed; without it nothing is segmented");
   add("--odom-frame", a.bag.odom_frame, "frame of /tf in which odometry moves the robot");
   add("--base-frame", a.bag.base_frame, "frame of /tf on the floor in the middle of the robot");
-  command
-      .add_option("--frame-period", a.bag.frame_period_s,
-                  "of a bag: frames that come sooner after the last are left out, s")
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 60.0))
-      ->capture_default_str();
+  a.of_bags.push_back(command
+                          .add_option("--frame-period", a.bag.frame_period_s,
+                                      "of a bag: frames that come sooner after the last are left out, s")
+                          ->type_name("S")
+                          ->check(CLI::Range(0.0, 60.0))
+                          ->capture_default_str());
 }
 
 }  // namespace

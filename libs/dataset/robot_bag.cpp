@@ -101,6 +101,9 @@ class RobotBag::State {
 
   void read_odometry() {
     const auto found = topics_.odometries.find(options_.odometry_topic);
+    if (options_.is_odometry_needed) {
+      topic_of(topics_.odometries, options_.odometry_topic, "nav_msgs/Odometry", name_);
+    }
     if (found != topics_.odometries.end()) {
       for (const StampedPlace& one : found->second.places) {
         poses_[one.stamp] = parse_ros_odometry(read_(one.place), name_).odometry.T_odom_base;
@@ -180,7 +183,10 @@ class RobotBag::State {
     auto found = topics_.colours.find(options_.colour_topic);
     is_colour_packed_ = found == topics_.colours.end();
     if (is_colour_packed_) found = topics_.packed.find(options_.colour_topic + "/compressed");
-    if (is_colour_packed_ && found == topics_.packed.end()) return {};
+    if (is_colour_packed_ && found == topics_.packed.end()) {
+      if (options_.is_colour_needed) topic_of(topics_.colours, options_.colour_topic, "sensor_msgs/Image", name_);
+      return {};
+    }
     const auto stamps_of = [](const PlacedTopic& topic) {
       std::vector<Stamp> stamps;
       for (const StampedPlace& one : topic.places) stamps.push_back(one.stamp);

@@ -23,9 +23,10 @@ namespace amiss::dataset {
 struct RobotBagOptions {
   std::string odometry_topic = "/hsrb/odom", scan_topic = "/hsrb/base_scan";
   std::string depth_topic = "/hsrb/head_rgbd_sensor/depth_registered/image_rect_raw";
-  std::string colour_topic = "/hsrb/head_rgbd_sensor/rgb/image_rect_color";  // may be missing in the bag
+  std::string colour_topic = "/hsrb/head_rgbd_sensor/rgb/image_rect_color";
   std::string odom_frame = "odom", base_frame = "base_footprint";
-  double frame_period_s = 0.2;  // frames that come sooner after the last one are left out
+  bool is_odometry_needed = false, is_colour_needed = false;  // InputError where the bag has no such topic
+  double frame_period_s = 0.2;                                // frames that come sooner after the last one are left out
 };
 
 struct RobotMoment {

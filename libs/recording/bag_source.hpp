@@ -19,6 +19,7 @@ class BagSource final : public Source {
   [[nodiscard]] const std::map<std::string, std::string>& documents() const override { return documents_; }
   std::optional<Entry> next() override;
   [[nodiscard]] bool complete() const override { return complete_; }
+  [[nodiscard]] std::size_t dropped() const override { return bag_.dropped(); }
   [[nodiscard]] bool tells_decisions() const override { return false; }
 
  private:

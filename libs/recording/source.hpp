@@ -33,6 +33,8 @@ class Source {
   virtual std::optional<Entry> next() = 0;
   /// At the end: false for a run that was killed.
   [[nodiscard]] virtual bool complete() const = 0;
+  /// Scans and frames that cannot be placed in time or on the robot.
+  [[nodiscard]] virtual std::size_t dropped() const { return 0; }
   /// False: no mission compared or segmented in it.
   [[nodiscard]] virtual bool tells_decisions() const { return true; }
 };

@@ -148,6 +148,7 @@ TEST_F(ReplayBag, DepthInMillimetresGivesTheRegionsOfTheRun) {
   const auto found = nlohmann::json::parse(replayed.out);
   expect_regions_of_the_run(found, of_run);
   EXPECT_EQ(found.at("frames"), of_run.at("frames"));
+  EXPECT_EQ(found.at("dropped"), 0);
   EXPECT_EQ(found.at("objects").size(), of_run.at("objects").size()) << "segmented where a frame showed the region";
 }
 
@@ -172,7 +173,12 @@ TEST_F(ReplayBag, SaysWhatIsMissing) {
                  "/tf and /tf_static do not say where the frame 'head_rgbd_sensor_rgb_frame' is in 'base_footprint'");
   expect_refused(replay_bag({.most_periods = 60}, {"--depth-topic", "/depth"}),
                  "has no topic '/depth' of sensor_msgs/Image (16UC1, mono16, 32FC1); there are: /hsrb/");
-  EXPECT_NE(replay({"run/recording.mcap", "--start", "0,0,0"}).err.find("--start is for bags"), std::string::npos);
+  expect_refused(replay_bag({.most_periods = 60}, {"--colour-topic", "/rgb"}),
+                 "has no topic '/rgb' of sensor_msgs/Image");
+  for (const auto& [option, value] : {std::pair{"--start", "0,0,0"}, {"--scan-topic", "/scan"}}) {
+    EXPECT_NE(replay({"run/recording.mcap", option, value}).err.find(option + std::string(" is for bags")),
+              std::string::npos);
+  }
   expect_refused(replay({"a.bag"}), "holds no reference; --reference DIR names a folder of `amiss map`");
   const std::string whole = folder->read("a.bag");
   folder->write("a.bag", std::string_view(whole).substr(0, whole.size() / 2));

@@ -161,6 +161,11 @@ TEST_F(RobotBagTest, SaysWhatIsMissing) {
   says(why({}, {.scan_topic = "/scan"}), "has no topic '/scan' of sensor_msgs/LaserScan; there are: /hsrb/base_scan");
   says(why({}, {.odometry_topic = "/odom"}),
        "has no topic '/odom' of nav_msgs/Odometry, and /tf does not move 'base_footprint' in 'odom'");
+  says(why({}, {.odometry_topic = "/odom", .is_odometry_needed = true}),
+       "has no topic '/odom' of nav_msgs/Odometry; there are: /hsrb/odom");
+  says(why({}, {.colour_topic = "/rgb", .is_colour_needed = true}),
+       "has no topic '/rgb' of sensor_msgs/Image; there are");
+  says(why({.colours = false}, {.is_colour_needed = true}), "of sensor_msgs/Image; there is none of that type");
   says(why({}, {.depth_topic = "/hsrb/head_rgbd_sensor/rgb/image_rect_color"}), "of sensor_msgs/Image (16UC1");
   says(why({.laser_frame = false}), "do not say where the frame 'laser' is in 'base_footprint'");
   says(why({}, {.base_frame = "base_link"}), "do not say where the frame 'laser' is in 'base_link'");
