@@ -35,6 +35,7 @@ class ServerSource {
     if (!address) {
       address = this.fetchPicture(begin, bytes);
       this.pictures.set(begin, address);
+      address.then((url) => url || this.pictures.delete(begin)); // asked for again when it is wanted again
       if (this.pictures.size > MOST_PICTURES) {
         const [oldest, old] = this.pictures.entries().next().value;
         this.pictures.delete(oldest);
