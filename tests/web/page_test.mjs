@@ -15,7 +15,7 @@ const shoot = photographer(pictures);
 const robot = (page) => page.evaluate(() => window.amiss.state().pose.p);
 
 async function liveRun(browser) {
-  const { url, ended } = await programs.start('tidy', '--world', 'lab_30', '--seed', '1', '--until', 'explored', '--out', 'run', '--view', '--port', '0', '--quiet', '--speed', '8');
+  const { url, ended } = await programs.start('tidy', '--world', 'lab_30', '--seed', '1', '--until', 'explored', '--out', 'run', '--view', '--port', '0', '--quiet', '--speed', '2');
   const page = await open(browser, url, url, DESKTOP);
   const first = await robot(page);
   await page.waitForFunction(([x, y]) => Math.hypot(window.amiss.state().pose.p[0] - x, window.amiss.state().pose.p[1] - y) > 0.5, first);
