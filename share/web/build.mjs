@@ -1,14 +1,14 @@
 // Bundles src/ into dist/: one script, one style sheet, one page, the licences of what is inside. The first line of
 // app.js holds the SHA-256 of all sources, so that a test can tell whether dist/ is theirs.
-// usage: npm ci && node build.mjs
+// usage: npm ci && node build.mjs [FOLDER]
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, writeFileSync, mkdirSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import * as esbuild from 'esbuild';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const dist = join(here, 'dist');
+const dist = resolve(process.argv[2] ?? join(here, 'dist'));
 
 /** What dist/ is made of; tests/page/bundle_test.cpp hashes the same files in the same order. */
 const sources = ['build.mjs', 'package-lock.json', ...readdirSync(join(here, 'src')).map((name) => 'src/' + name)].sort();
@@ -19,10 +19,10 @@ const stamp = 'amiss sources sha256 ' + hash.digest('hex');
 const shared = { bundle: true, minify: true, legalComments: 'none', target: 'es2022', absWorkingDir: here, logLevel: 'warning' };
 mkdirSync(dist, { recursive: true });
 const script = await esbuild.build({
-  ...shared, entryPoints: ['src/main.js'], outfile: 'dist/app.js', format: 'iife', metafile: true,
+  ...shared, entryPoints: ['src/main.js'], outfile: join(dist, 'app.js'), format: 'iife', metafile: true,
   banner: { js: `/* ${stamp} */` },
 });
-await esbuild.build({ ...shared, entryPoints: ['src/style.css'], outfile: 'dist/app.css' });
+await esbuild.build({ ...shared, entryPoints: ['src/style.css'], outfile: join(dist, 'app.css') });
 writeFileSync(join(dist, 'index.html'), readFileSync(join(here, 'src/index.html')));
 
 const inside = new Set();
