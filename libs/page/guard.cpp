@@ -1,6 +1,10 @@
 #include "page/guard.hpp"
 
+#include <arpa/inet.h>
+
 #include <algorithm>
+#include <array>
+#include <cctype>
 
 namespace amiss::page {
 
@@ -27,6 +31,28 @@ bool from_elsewhere(const Request& request) {
   return other_site && (request.upgrade || (request.target != "/" && !request.target.starts_with(kTokenQuery)));
 }
 
+/// "192.0.2.7:7474", "[2001:db8::7]:7474"; browsers leave out the port 80.
+bool is_literal_at(const std::string& host, int port) {
+  const std::string suffix = ":" + std::to_string(port);
+  std::string address = host;
+  if (host.ends_with(suffix)) {
+    address.resize(host.size() - suffix.size());
+  } else if (port != 80) {
+    return false;
+  }
+  if (address.find('\0') != std::string::npos) return false;
+  std::array<unsigned char, sizeof(in6_addr)> bytes{};
+  if (!address.starts_with('[')) return ::inet_pton(AF_INET, address.c_str(), bytes.data()) == 1;
+  if (!address.ends_with(']')) return false;
+  return ::inet_pton(AF_INET6, address.substr(1, address.size() - 2).c_str(), bytes.data()) == 1;
+}
+
+bool is_own_host(std::string host, const Policy& policy) {
+  for (char& c : host) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (std::find(policy.hosts.begin(), policy.hosts.end(), host) != policy.hosts.end()) return true;
+  return policy.port_of_literals != 0 && is_literal_at(host, policy.port_of_literals);
+}
+
 }  // namespace
 
 bool same_secret(std::string_view a, std::string_view b) {
@@ -39,11 +65,8 @@ bool same_secret(std::string_view a, std::string_view b) {
 }
 
 Verdict judge(const Request& request, const Policy& policy) {
-  const auto& hosts = policy.hosts;
   if (request.host.empty()) return {400, "", "a Host is needed"};
-  if (!hosts.empty() && std::find(hosts.begin(), hosts.end(), request.host) == hosts.end()) {
-    return {421, "", "this server has another name"};
-  }
+  if (!is_own_host(std::string(request.host), policy)) return {421, "", "this server has another name"};
   if (request.method != "GET" && request.method != "HEAD") return {405, "", "GET and HEAD are allowed"};
   if (from_elsewhere(request)) return {403, "", "asked from another site"};
   if (!policy.token.empty()) {

@@ -1,6 +1,7 @@
 // Who may ask for what: the one place that decides, a function of a request's headers alone.
 // Request -> status and reason. Routes match exactly, so no path can lead out of them. A browser that was lured here
-// by another site is recognised by Host (DNS rebinding), Origin and Sec-Fetch-Site.
+// by another site is recognised by Host (DNS rebinding), Origin and Sec-Fetch-Site. An IP literal as Host is nobody's
+// name, so a page that was got under one came from that address.
 #pragma once
 
 #include <set>
@@ -16,7 +17,8 @@ struct Request {
 };
 
 struct Policy {
-  std::vector<std::string> hosts;  // values of Host that are this server; empty: any (then there is a token)
+  std::vector<std::string> hosts;  // values of Host that are this server, in small letters
+  int port_of_literals = 0;        // any IP literal with this port is this server too; 0: none is
   std::string token;               // empty: none is asked for
   std::set<std::string, std::less<>> routes;
   std::string socket_route;  // the one that is a WebSocket

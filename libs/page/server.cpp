@@ -5,10 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/asio/ip/v6_only.hpp>
 #include <thread>
 
 #include "core/result.hpp"
+#include "page/address.hpp"
 #include "page/internal/http_session.hpp"
+#include "page/internal/ip_address.hpp"
 
 namespace amiss::page {
 
@@ -20,17 +23,11 @@ namespace {
 constexpr int kNiceness = 10;  // the run goes first
 constexpr std::chrono::milliseconds kAfterFailure(100);
 
-asio::ip::address address_of(const std::string& text) {
-  boost::system::error_code error;
-  const auto address = asio::ip::make_address(text == "localhost" ? "127.0.0.1" : text, error);
-  if (error) throw ArgumentError("--address " + text + ": an IP address such as 127.0.0.1 is allowed");
-  return address;
-}
-
 void check_token(const ServerOptions& options) {
   if (options.token.empty()) {
     if (is_loopback(options.address)) return;
-    throw ArgumentError("--address " + options.address + ": other machines can reach it; give a --token as well");
+    throw ArgumentError("--address " + options.address +
+                        ": other machines can reach it; give a --token as well (or AMISS_TOKEN)");
   }
   const bool plain = std::all_of(options.token.begin(), options.token.end(),
                                  [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
@@ -40,8 +37,6 @@ void check_token(const ServerOptions& options) {
 }
 
 }  // namespace
-
-bool is_loopback(const std::string& address) { return address_of(address).is_loopback(); }
 
 struct Server::Impl {
   Impl(const ServerOptions& asked, std::vector<ServedFile> files, History& history, Pace* pace)
@@ -60,12 +55,11 @@ struct Server::Impl {
   }
 
   void listen() {
-    const tcp::endpoint endpoint(address_of(options.address), static_cast<std::uint16_t>(options.port));
+    const asio::ip::address address = ip_address(options.address);
     try {
-      acceptor.open(endpoint.protocol());
-      acceptor.set_option(asio::socket_base::reuse_address(true));
-      acceptor.bind(endpoint);
-      acceptor.listen();
+      boost::system::error_code taken = listen_at({address, static_cast<std::uint16_t>(options.port)});
+      if (taken == asio::error::address_in_use && options.or_another_port) taken = listen_at({address, 0});
+      if (taken) throw boost::system::system_error(taken);
     } catch (const boost::system::system_error& e) {
       throw ArgumentError("--port " + std::to_string(options.port) + " of " + options.address + ": " +
                           e.code().message() + "; 0 takes any that is free");
@@ -73,10 +67,22 @@ struct Server::Impl {
     port = acceptor.local_endpoint().port();
   }
 
+  /// Of all that can go wrong, a port that is taken is told by its code.
+  boost::system::error_code listen_at(const tcp::endpoint& endpoint) {
+    boost::system::error_code error;
+    acceptor = tcp::acceptor(site.context);
+    acceptor.open(endpoint.protocol());
+    acceptor.set_option(asio::socket_base::reuse_address(true));
+    if (endpoint.address().is_unspecified() && endpoint.address().is_v6())
+      acceptor.set_option(asio::ip::v6_only(false));
+    acceptor.bind(endpoint, error);
+    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+    return error;
+  }
+
   void describe(std::vector<ServedFile> files) {
-    const std::string at_port = ":" + std::to_string(port);
-    if (is_loopback(options.address))
-      site.policy.hosts = {"127.0.0.1" + at_port, "localhost" + at_port, "[::1]" + at_port};
+    site.policy.hosts = own_hosts(options.address, port);
+    if (!is_loopback(options.address)) site.policy.port_of_literals = port;
     site.policy.token = options.token;
     site.policy.socket_route = "/events";
     for (const Asset& asset : bundle()) site.assets.emplace(asset.route, asset);
@@ -136,10 +142,8 @@ std::size_t Server::watchers() const { return impl_->site.sockets; }
 std::size_t Server::connections() const { return impl_->site.connections; }
 
 std::string Server::url() const {
-  const bool six = impl_->options.address.find(':') != std::string::npos;
-  const std::string host = six ? "[" + impl_->options.address + "]" : impl_->options.address;
   const std::string query = impl_->options.token.empty() ? "" : "?token=" + impl_->options.token;
-  return "http://" + host + ":" + std::to_string(impl_->port) + "/" + query;
+  return "http://" + address_to_open(impl_->options.address) + ":" + std::to_string(impl_->port) + "/" + query;
 }
 
 }  // namespace amiss::page

@@ -3,7 +3,8 @@
 // to the history and asks the pace. Slow clients stay behind, dead and rude ones are dropped: at most kMostConnections
 // connections (the oldest one that is not a socket makes room), kMostSockets sockets, 8 KiB of header, 256 bytes of
 // message, 50 messages a second, 10 s for a request.
-// ArgumentError where the address is none, is taken, or is not of the loopback and there is no token.
+// ArgumentError where the address is none, the port is taken and must be this one, or others can reach the address and
+// there is no token.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct ServerOptions {
   std::string address = "127.0.0.1";
   int port = 0;  // 0: any that is free
   std::string token;
+  bool or_another_port = false;  // one that is free, where `port` is taken
 };
 
 /// A file of the run folder that pages may read, whole or by Range; it may grow.
@@ -39,7 +41,7 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// What to open in a browser, with the token if there is one.
+  /// What to open in a browser, with the token if there is one; on other machines too if they reach the address.
   [[nodiscard]] std::string url() const;
   [[nodiscard]] int port() const;
   [[nodiscard]] std::size_t watchers() const;     // pages that are connected
@@ -49,8 +51,5 @@ class Server {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Can only this machine reach it?
-[[nodiscard]] bool is_loopback(const std::string& address);
 
 }  // namespace amiss::page

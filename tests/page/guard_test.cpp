@@ -6,7 +6,7 @@
 namespace amiss::page {
 namespace {
 
-const Policy kPolicy{{"127.0.0.1:7474", "localhost:7474"}, "", {"/", "/app.js", "/camera.bin"}, "/events"};
+const Policy kPolicy{{"127.0.0.1:7474", "localhost:7474"}, 0, "", {"/", "/app.js", "/camera.bin"}, "/events"};
 
 Request asked(std::string_view target) { return {"GET", target, "127.0.0.1:7474", "", "", "", false}; }
 int status(const Request& request, const Policy& policy = kPolicy) { return judge(request, policy).status; }
@@ -51,6 +51,35 @@ TEST(Guard, RefusesOtherNamesOfTheServer) {
   EXPECT_EQ(status(nameless), 400);
 }
 
+/// As seen from other machines: by its name and by addresses, which cannot be a stranger's name.
+TEST(Guard, KnowsItsNameAndAddresses) {
+  Policy policy = kPolicy;
+  policy.hosts = {"kitchen:7474"};
+  policy.port_of_literals = 7474;
+  Request request = asked("/");
+  for (const char* host : {"kitchen:7474", "Kitchen:7474", "192.0.2.7:7474", "127.0.0.1:7474", "[2001:db8::7]:7474",
+                           "[::ffff:192.0.2.7]:7474"}) {
+    request.host = host;
+    EXPECT_EQ(status(request, policy), 200) << host;
+  }
+  for (const std::string_view host :
+       {"evil.example:7474", "kitchen", "kitchen:7475", "192.0.2.7", "192.0.2.7:7475", "192.0.2.7.evil.example:7474",
+        "192.0.2:7474", "0x7f000001:7474", "2001:db8::7:7474", "[2001:db8::7:7474", "[evil]:7474", "[]:7474", ":7474",
+        "192.0.2.7:7474:7474", "192.0.2.7:07474"}) {
+    request.host = host;
+    EXPECT_EQ(status(request, policy), 421) << host;
+  }
+  request.host = std::string_view("192.0.2.7\0evil:7474", 19);
+  EXPECT_EQ(status(request, policy), 421);
+  request.host = "evil.example:7474";
+  request.origin = "http://evil.example:7474";
+  EXPECT_EQ(status(request, policy), 421) << "a stranger's name that leads here, and is its own Origin";
+  policy.port_of_literals = 80;
+  request.origin = "";
+  request.host = "192.0.2.7";
+  EXPECT_EQ(status(request, policy), 200) << "browsers leave out the port of HTTP";
+}
+
 TEST(Guard, RefusesOtherSites) {
   for (const char* origin : {"http://evil.example", "null", "https://127.0.0.1:7474", "http://localhost:7474"}) {
     Request socket = asked("/events");
@@ -81,7 +110,6 @@ TEST(Guard, ReadsOnly) {
 
 TEST(Guard, AsksForTheToken) {
   Policy policy = kPolicy;
-  policy.hosts.clear();
   policy.token = "open-sesame";
   EXPECT_EQ(status(asked("/"), policy), 401);
   EXPECT_EQ(status(asked("/?token=open-sesam"), policy), 401);

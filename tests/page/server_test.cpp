@@ -227,6 +227,30 @@ TEST(Server, AsksForATokenWhereOthersCanReachIt) {
   EXPECT_NE(refused({"127.0.0.1", one.port(), ""}).find("--port " + std::to_string(one.port())), std::string::npos);
 }
 
+TEST(Server, TakesAnotherPortWhereItMay) {
+  History history;
+  const Server one({}, {}, history, nullptr);
+  const Server other({"127.0.0.1", one.port(), "", true}, {}, history, nullptr);
+  EXPECT_NE(other.port(), one.port());
+  EXPECT_EQ(get(other.port(), "/app.css").status, 200);
+}
+
+/// With the token alone nobody gets in who comes under a stranger's name.
+TEST(Server, OpenToOthersItKnowsItsHosts) {
+  History history;
+  const Server server({"0.0.0.0", 0, "open-sesame"}, {}, history, nullptr);
+  const std::string port = ":" + std::to_string(server.port());
+  EXPECT_EQ(server.url().find("0.0.0.0"), std::string::npos);
+  const auto status = [&](const std::string& host, const std::string& origin) {
+    const std::string head = "GET / HTTP/1.1\r\nCookie: amiss_token=open-sesame\r\nConnection: close\r\nHost: ";
+    return test::ask(server.port(), head + host + "\r\nOrigin: http://" + origin + "\r\n\r\n").status;
+  };
+  EXPECT_EQ(status("evil.example" + port, "evil.example" + port), 421);
+  EXPECT_EQ(status("192.0.2.7" + port, "evil.example" + port), 403);
+  EXPECT_EQ(status("192.0.2.7" + port, "192.0.2.7" + port), 200);
+  EXPECT_EQ(status("127.0.0.1" + port, "127.0.0.1" + port), 200);
+}
+
 TEST(Server, TheTokenOpensIt) {
   History history;
   const Server server({"127.0.0.1", 0, "open-sesame"}, {}, history, nullptr);
