@@ -5,6 +5,7 @@ import { openSource } from './source.js';
 import { Tables } from './tables.js';
 import { Lanes } from './lanes.js';
 import { Drawer } from './drawer.js';
+import { paintStatus } from './status.js';
 import { listenToKeys } from './keys.js';
 import { make } from './dom.js';
 
@@ -28,7 +29,19 @@ class App {
     this.lanes = new Lanes($('lanes'), (time) => this.seek(time));
     this.drawer = new Drawer($('detail'), this);
     this.listen();
-    this.source.start((events) => this.add(events), () => this.closed());
+    this.source.start({
+      begin: () => this.startOver(),
+      add: (events) => this.add(events),
+      lost: (attempt, of) => this.setReach({ attempt, of }),
+      over: (why) => this.setReach({ over: why }),
+    });
+  }
+
+  /** All events from the first one on follow. */
+  startOver() {
+    this.store = new Store();
+    this.ended = undefined;
+    this.reach = undefined;
   }
 
   add(events) {
@@ -43,7 +56,9 @@ class App {
   }
 
   begin(start) {
+    const same = this.start && JSON.stringify(this.start) === JSON.stringify(start);
     this.start = start;
+    if (same) return; // told again: the scene stands, and is seen from where one was
     document.title = `amiss: ${start.world}, seed ${start.seed}`;
     $('subject').textContent = `${start.world} · seed ${start.seed} · ${start.method} search`;
     this.scene.begin(start);
@@ -55,8 +70,9 @@ class App {
     this.refresh();
   }
 
-  closed() {
-    this.gone = true;
+  /** Of the run: undefined while it is heard. */
+  setReach(reach) {
+    this.reach = reach;
     this.refresh();
   }
 
@@ -97,7 +113,7 @@ class App {
 
   paint(now) {
     if (this.playing) this.advance(now);
-    if (!this.start) return this.paintStatus();
+    if (!this.start) return paintStatus(this);
     const state = this.state();
     this.scene.update(state);
     $('now').textContent = `${this.time.toFixed(1)} s`;
@@ -112,7 +128,7 @@ class App {
       this.tables.update(state);
       this.drawer.update(state);
       this.paintFigures(state);
-      this.paintStatus();
+      paintStatus(this);
     } else {
       clearTimeout(this.later);
       this.later = setTimeout(() => this.refresh(), TABLES_EVERY);
@@ -139,26 +155,6 @@ class App {
     if (text === this.figures) return;
     this.figures = text;
     $('figures').replaceChildren(...figures.map(([value, name]) => make('span', {}, make('strong', {}, value), ' ' + name)));
-  }
-
-  paintStatus() {
-    const running = this.live && !this.ended && !this.gone;
-    let text = this.start ? 'as far as it was written' : 'waiting for the run to begin; a new place is mapped first';
-    if (running && this.start) text = this.pace.paused ? 'paused' : 'running';
-    else if (this.ended) text = `ended: ${this.ended.outcome}`;
-    else if (this.gone) text = 'the run is gone';
-    $('status').textContent = text;
-    $('status').dataset.state = running ? (this.pace.paused ? 'paused' : 'running') : 'ended';
-    $('pace').hidden = !running;
-    $('halt').textContent = this.pace?.paused ? 'Go on' : 'Pause';
-    if (running && document.activeElement !== $('speed')) {
-      const speed = String(this.pace.speed);
-      if (![...$('speed').options].some((option) => option.value === speed)) $('speed').append(make('option', { value: speed }, speed + '×'));
-      $('speed').value = speed;
-    }
-    $('newest').textContent = running ? 'Live' : 'End';
-    $('newest').setAttribute('aria-label', running ? 'Follow the run' : 'To the end');
-    $('newest').setAttribute('aria-pressed', String(this.following));
   }
 
   async paintCamera({ frame }) {

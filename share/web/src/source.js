@@ -1,5 +1,6 @@
 // Where the events come from: a server (live run or run folder), or the page itself (report.html).
-// Both give: onEvents(list), onClose(), picture([begin, bytes]) -> address of an image, text(name), send(order).
+// Both give: picture([begin, bytes]) -> address of an image, text(name), send(order); and tell what comes by
+// told.begin() (all events from the first one on follow), told.add(list), told.lost(attempt, of), told.over(why).
 
 export function openSource() {
   const embedded = document.getElementById('run');
@@ -9,24 +10,54 @@ export function openSource() {
 class EmbeddedSource {
   constructor(run) { this.run = run; }
   get still() { return true; }
-  start(onEvents) { onEvents(this.run.events); }
+  start(told) {
+    told.begin();
+    told.add(this.run.events);
+  }
   async picture([begin]) { return this.run.pictures[begin]; }
   async text(name) { return this.run.texts[name]; }
   send() {}
 }
 
 const MOST_PICTURES = 80;
+/** How long to wait [ms] before each attempt to connect again; then the run is given up. */
+const PAUSES = [250, 500, 1000, 2000, 4000];
 
 class ServerSource {
-  constructor() { this.pictures = new Map(); }
+  constructor() {
+    this.pictures = new Map();
+    this.attempts = 0; // since something was heard
+    this.complete = false; // the end of the run was heard
+  }
   get still() { return false; }
 
-  start(onEvents, onClose) {
+  start(told) {
+    this.told = told;
+    this.connect();
+  }
+
+  connect() {
+    let heard = false;
     this.socket = new WebSocket(`ws://${location.host}/events`);
     this.socket.onmessage = (message) => {
-      onEvents(message.data.split('\n').filter((line) => line).map((line) => JSON.parse(line)));
+      if (!heard) this.told.begin(); // the server tells all events again to each connection
+      heard = true;
+      this.attempts = 0;
+      const events = message.data.split('\n').filter((line) => line).map((line) => JSON.parse(line));
+      this.complete ||= events.some((event) => event.e === 'end');
+      this.told.add(events);
     };
-    this.socket.onclose = onClose;
+    this.socket.onclose = () => this.connectAgain();
+  }
+
+  async connectAgain() {
+    if (this.complete) return this.told.over('gone'); // nothing more would come
+    if (this.attempts < PAUSES.length) {
+      setTimeout(() => this.connect(), PAUSES[this.attempts++]);
+      return this.told.lost(this.attempts, PAUSES.length);
+    }
+    const answers = await fetch('/', { method: 'HEAD' }).then(() => true, () => false);
+    this.told.over(answers ? 'refused' : 'gone');
   }
 
   /** Slices of camera.bin, the newest ones kept. */
