@@ -1,5 +1,6 @@
 // The page of a run: events -> the scene, tables and pictures of one instant, which follows the run or is scrubbed.
-import { Scene, LAYERS } from './scene.js';
+import { LAYERS, Scene, contextOf } from './scene.js';
+import { NoScene } from './no_scene.js';
 import { Store } from './store.js';
 import { openSource } from './source.js';
 import { Tables } from './tables.js';
@@ -24,7 +25,8 @@ class App {
     this.live = false;
     this.chosen = null;
     document.body.classList.toggle('still', this.source.still);
-    this.scene = new Scene($('scene'), (what) => this.choose(what));
+    const context = contextOf($('scene'));
+    this.scene = context ? new Scene($('scene'), context, (what) => this.choose(what)) : new NoScene($('scene'));
     this.tables = new Tables($('tables'), this, this.source.still);
     this.lanes = new Lanes($('lanes'), (time) => this.seek(time));
     this.drawer = new Drawer($('detail'), this);

@@ -9,11 +9,17 @@ const CLICK = 5; // pixels that a click may slip
 const FLIGHT = 350; // ms from one view to another
 const EAST = new THREE.Vector3(1, 0, 0);
 
+/** What draws into a canvas; undefined where there is no WebGL 2. */
+export function contextOf(canvas) {
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: false });
+  return context && !context.isContextLost() ? context : undefined;
+}
+
 export class Scene {
-  constructor(canvas, onPick) {
+  constructor(canvas, context, onPick) {
     this.canvas = canvas;
     this.onPick = onPick;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, context });
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.world = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(FIELD, 1, 0.1, 200);
