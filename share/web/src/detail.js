@@ -18,18 +18,19 @@ function pictureOf(examined, source, words) {
   return make('figure', {}, image, make('figcaption', {}, words));
 }
 
-function whyObject(object, limits, ended) {
+function whyObject(object, limits, over) {
   const cover = `holds ${percent(object.cover)} of its pixels (${percent(limits.min_cover)} are needed) and is to ${percent(object.purity)} this object (${percent(limits.min_purity)})`;
   const near = `its middle lies ${metres(object.error, 3)} from the true one (at most ${metres(limits.max_error_m)})`;
   if (object.found) return `Found: a segment ${cover}, and ${near}.`;
-  if (object.covered) return `Not found: a segment ${cover}, but ${near}.`;
-  if (object.cover > 0) return `Not found: the segment that shows most of it ${cover}.`;
-  return ended ? 'Not found: no segment of any examination shows it.' : 'Not found yet: no examination has shown it.';
+  const verdict = over ? 'Not found' : 'Not found yet';
+  if (object.covered) return `${verdict}: a segment ${cover}, but ${near}.`;
+  if (object.cover > 0) return `${verdict}: the segment that shows most of it ${cover}.`;
+  return over ? 'Not found: no segment of any examination shows it.' : 'Not found yet: no examination has shown it.';
 }
 
 export function objectDetail(object, state, source) {
   const examined = state.store.examinationOf(object);
-  return sheet(object.name, objectLook(object), whyObject(object, state.start.referee, state.ended), [
+  return sheet(object.name, objectLook(object, state.over), whyObject(object, state.start.referee, state.over), [
     ['kind', object.kind || 'of the world'],
     ['lies at', `${place(object.p)} m`],
     ['found after', seconds(object.found_at)],

@@ -13,7 +13,7 @@ export class Drawer {
     const { chosen } = state;
     const list = { object: state.objects, region: state.regions }[chosen?.kind]?.list ?? [];
     const thing = list.find((one) => (one.name ?? one.id) === chosen.id);
-    const key = thing ? JSON.stringify([thing, state.ended]) : '';
+    const key = thing ? JSON.stringify([thing, state.over]) : '';
     if (key === this.key) return;
     this.key = key;
     const hadFocus = this.host.contains(document.activeElement);
@@ -33,10 +33,10 @@ export class Drawer {
 
   /** How many pixels of the scene it hides: at the right, or at the bottom where it is a sheet. */
   covers() {
-    if (this.host.hidden) return [0, 0];
+    if (this.host.hidden) return { right: 0, bottom: 0 };
     const [own, stage] = [this.host, this.app.scene.canvas].map((element) => element.getBoundingClientRect());
-    if (getComputedStyle(this.host).position !== 'fixed') return [stage.right - own.left, 0];
-    return [0, Math.min(0.8 * stage.height, Math.max(0, stage.bottom - own.top))];
+    if (getComputedStyle(this.host).position !== 'fixed') return { right: stage.right - own.left, bottom: 0 };
+    return { right: 0, bottom: Math.min(0.8 * stage.height, Math.max(0, stage.bottom - own.top)) };
   }
 
   /** The keyboard goes on where it was. */

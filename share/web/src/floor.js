@@ -1,7 +1,7 @@
 // The floor plan as a picture on the ground: cells of the reference's grid, two bits each.
 import * as THREE from 'three';
 import { FREE, OCCUPIED, cellsOf } from './store.js';
-import { themed } from './look.js';
+import { FLOOR, WALL, colourOf } from './look.js';
 
 export class Floor {
   constructor(floor) {
@@ -26,7 +26,7 @@ export class Floor {
     const pen = this.canvas.getContext('2d');
     const { width, height } = this.floor;
     pen.clearRect(0, 0, width, height);
-    const colours = { [FREE]: themed('floor'), [OCCUPIED]: themed('wall') };
+    const colours = { [FREE]: colourOf(FLOOR), [OCCUPIED]: colourOf(WALL) };
     for (let y = 0; y < height; ++y) {
       for (let x = 0; x < width; ++x) {
         const colour = colours[this.cells[y * width + x]];

@@ -4,22 +4,25 @@ import { Floor } from './floor.js';
 import { Robot } from './robot.js';
 import { Voxels } from './voxels.js';
 import { box, cylinder, dispose, handle, letterAt, plateAt, ribbonThrough, triangle } from './marks.js';
-import { BODY, FAULT, OBJECT, PALETTE, REGION, SEGMENT, VIEW, objectLook, themed } from './look.js';
+import {
+  APPEARED, BODY, CAMERA, FAULT, FLOOR, HIGH, LOW, OBJECT, REFERENCE, REGION, SEGMENT, STOP, TRAIL, VANISHED, VIEW, WALL, WAY,
+  colourOf, objectLook,
+} from './look.js';
 
-/** Name, what it is called, colour of its sign, shown at first. */
+/** Name, what it is called, what is in it, shown at first. */
 export const LAYERS = [
-  ['floor', 'floor plan', '#b9bec6', true],
-  ['reference', 'reference map', '#9aa0a8', true],
-  ['current', 'map now', '#5b7fa6', true],
-  ['difference', 'difference', PALETTE.orange, true],
-  ['views', 'view triangles', PALETTE.sky, true],
-  ['path', 'way and plan', PALETTE.yellow, true],
-  ['trail', 'driven', PALETTE.blue, true],
-  ['regions', 'regions', REGION.open.colour, true],
-  ['objects', 'objects', OBJECT.found.colour, true],
-  ['touches', 'touches', FAULT.colour, true],
-  ['bodies', 'what moves', BODY.colour, true],
-  ['robot', 'robot', PALETTE.purple, true],
+  ['floor', 'floor plan', [FLOOR, WALL], true],
+  ['reference', 'reference map', [REFERENCE], true],
+  ['current', 'map now', [LOW, HIGH], true],
+  ['difference', 'difference', [APPEARED, VANISHED], true],
+  ['views', 'view triangles', [VIEW.open], true],
+  ['path', 'way and plan', [WAY, STOP], true],
+  ['trail', 'driven', [TRAIL], true],
+  ['regions', 'regions', Object.values(REGION), true],
+  ['objects', 'objects', [...Object.values(OBJECT), SEGMENT], true],
+  ['touches', 'touches', [FAULT], true],
+  ['bodies', 'what moves', [BODY], true],
+  ['robot', 'robot', [CAMERA], true],
 ];
 
 export class Layers {
@@ -32,8 +35,8 @@ export class Layers {
     }
     this.reference = new Voxels({ opacity: 0.4, order: 1, front: -1 });
     this.current = new Voxels({});
-    this.appeared = new Voxels({ low: PALETTE.orange, front: 1 });
-    this.vanished = new Voxels({ low: PALETTE.blue, opacity: 0.85, order: 2, front: 1 });
+    this.appeared = new Voxels({ low: APPEARED.colour, front: 1 });
+    this.vanished = new Voxels({ low: VANISHED.colour, opacity: 0.85, order: 2, front: 1 });
     this.groups.reference.add(this.reference.object);
     this.groups.current.add(this.current.object);
     this.groups.difference.add(this.appeared.object, this.vanished.object);
@@ -55,10 +58,12 @@ export class Layers {
   /** Nothing of the maps above that height [m] is drawn. */
   cut(upTo) { for (const voxels of [this.reference, this.current, this.appeared, this.vanished]) voxels.cut(upTo); }
 
+  /** In the colours of the theme; ways are drawn anew by the next update. */
   restyle() {
     this.floor?.paint();
-    this.reference.colours(themed('reference'), themed('reference'));
-    this.current.colours(themed('map-low'), themed('map-high'));
+    this.reference.colours(colourOf(REFERENCE), colourOf(REFERENCE));
+    this.current.colours(colourOf(LOW), colourOf(HIGH));
+    for (const name of ['path', 'trail']) delete this.shown[name];
   }
 
   handles() {
@@ -81,7 +86,7 @@ export class Layers {
     });
     this.group('path', `${state.path?.t} ${state.plan?.t} ${state.step?.t}`, true, (add) => this.addPlan(state, add));
     this.group('trail', state.trail?.length, state.trail, (add) => {
-      if (state.trail.length > 1) add(ribbonThrough(state.trail, 0.045, 0.03, themed('trail'), 0.85));
+      if (state.trail.length > 1) add(ribbonThrough(state.trail, 0.045, 0.03, colourOf(TRAIL), 0.85));
     });
     this.group('touches', state.touches.length, true, (add) => {
       for (const touch of state.touches) add(letterAt(FAULT, touch.p, 0.026));
@@ -94,7 +99,7 @@ export class Layers {
     });
     const chosen = state.chosen;
     this.group('regions', `${state.regions?.t} ${chosen?.kind === 'region' && chosen.id}`, state.regions, (add) => this.addRegions(state, add));
-    this.group('objects', `${state.objects?.t} ${state.examined.length} ${chosen?.kind}${chosen?.id}`, true, (add) => this.addObjects(state, add));
+    this.group('objects', `${state.objects?.t} ${state.over} ${state.examined.length} ${chosen?.kind}${chosen?.id}`, true, (add) => this.addObjects(state, add));
   }
 
   when(name, key, act) {
@@ -110,11 +115,11 @@ export class Layers {
   }
 
   addPlan(state, add) {
-    if (state.path && state.path.points.length > 1) add(ribbonThrough(state.path.points, 0.04, 0.05, themed('way'), 0.9));
+    if (state.path && state.path.points.length > 1) add(ribbonThrough(state.path.points, 0.04, 0.05, colourOf(WAY), 0.9));
     const from = state.step && state.plan && state.step.t >= state.plan.t ? state.step.step : 0;
     const visits = (state.plan?.steps ?? []).slice(from).filter((step) => step.action === 'goto');
-    if (visits.length) add(ribbonThrough(visits.map((step) => step.p), 0.04, 0.02, themed('way'), 0.55));
-    visits.forEach((step, i) => add(letterAt({ letter: String(i + 1), colour: '#f0e442' }, [step.p[0], step.p[1], 0.06], 0.022)));
+    if (visits.length) add(ribbonThrough(visits.map((step) => step.p), 0.04, 0.02, colourOf(WAY), 0.55));
+    visits.forEach((step, i) => add(letterAt({ ...STOP, letter: String(i + 1) }, [step.p[0], step.p[1], 0.06], 0.022)));
   }
 
   addRegions(state, add) {
@@ -130,7 +135,7 @@ export class Layers {
   addObjects(state, add) {
     for (const examined of state.examined) for (const segment of examined.segments) add(box(segment, SEGMENT.colour));
     for (const object of state.objects?.list ?? []) {
-      const look = objectLook(object);
+      const look = objectLook(object, state.over);
       const [x, y, z] = object.p;
       const top = z + 0.45;
       const chosen = state.chosen?.kind === 'object' && state.chosen.id === object.name;

@@ -1,6 +1,7 @@
 // The page of a run: events -> the scene, tables and pictures of one instant, which follows the run or is scrubbed.
-import { LAYERS, Scene, contextOf } from './scene.js';
+import { Scene, contextOf } from './scene.js';
 import { NoScene } from './no_scene.js';
+import { Legend } from './legend.js';
 import { Store } from './store.js';
 import { openSource } from './source.js';
 import { Tables } from './tables.js';
@@ -12,8 +13,6 @@ import { make } from './dom.js';
 
 const $ = (id) => document.getElementById(id);
 const TABLES_EVERY = 200; // ms between two updates of what is no picture
-const CUT = 1.5; // m: the maps are shown to this height at first
-const HIGHEST = 2.6; // m: and from here on whole
 
 class App {
   constructor() {
@@ -27,6 +26,7 @@ class App {
     document.body.classList.toggle('still', this.source.still);
     const context = contextOf($('scene'));
     this.scene = context ? new Scene($('scene'), context, (what) => this.choose(what)) : new NoScene($('scene'));
+    this.legend = new Legend($('layers'), this.scene);
     this.tables = new Tables($('tables'), this, this.source.still);
     this.lanes = new Lanes($('lanes'), (time) => this.seek(time));
     this.drawer = new Drawer($('detail'), this);
@@ -95,8 +95,8 @@ class App {
       voxels: () => store.voxels.at(time),
       voxelCount: () => store.voxels.at(time).length / 3,
       report: time >= store.end - 1e-6 ? this.ended : undefined,
-      ended: Boolean(this.ended),
     };
+    state.over = Boolean(state.report);
     for (const kind of ['regions', 'views', 'plan', 'step', 'path', 'difference', 'objects', 'progress', 'frame']) {
       state[kind] = store.latest(kind, time);
     }
@@ -231,14 +231,6 @@ class App {
   }
 
   listen() {
-    $('layers').open = innerWidth > 820;
-    for (const [name, title, colour, on] of LAYERS) {
-      const box = make('input', { type: 'checkbox', checked: on, onchange: () => this.show(name, box.checked) });
-      const sign = make('i');
-      sign.style.background = colour;
-      $('layers').append(make('label', {}, box, sign, title));
-    }
-    this.listenToCut();
     for (const button of document.querySelectorAll('[data-look]')) button.onclick = () => this.look(button.dataset.look);
     $('play').onclick = () => this.setPlaying(!this.playing);
     $('begin').onclick = () => this.seek(0);
@@ -251,35 +243,20 @@ class App {
     };
     $('speed').onchange = (event) => this.source.send({ speed: Number(event.target.value) });
     $('theme').onclick = () => this.setTheme(document.documentElement.dataset.theme);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.scene.restyle());
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.restyle());
     addEventListener('resize', () => this.refresh());
     listenToKeys(this);
-  }
-
-  /** The maps are shown up to a height, so that one can look over the walls. */
-  listenToCut() {
-    const said = make('output');
-    const slider = make('input', { type: 'range', id: 'cut', 'aria-label': 'Height to which the maps are shown, metres', min: 0.2, max: HIGHEST, step: 0.1, value: CUT, oninput: () => cut() });
-    const cut = () => {
-      const height = Number(slider.value);
-      said.textContent = height < HIGHEST ? `${height.toFixed(1)} m` : 'all';
-      slider.setAttribute('aria-valuetext', height < HIGHEST ? `${height.toFixed(1)} metres` : 'all');
-      this.scene.layers.cut(height < HIGHEST ? height : Infinity);
-      this.scene.draw();
-    };
-    cut();
-    $('layers').append(make('div', { class: 'cut' }, 'maps up to ', said, slider));
   }
 
   setTheme(before) {
     const dark = before ? before === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
     document.documentElement.dataset.theme = dark ? 'light' : 'dark';
-    this.scene.restyle();
+    this.restyle();
   }
 
-  show(name, on) {
-    this.scene.layers.setVisible(name, on);
-    this.scene.draw();
+  restyle() {
+    this.scene.restyle();
+    this.refresh();
   }
 }
 

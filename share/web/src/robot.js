@@ -1,5 +1,6 @@
 // The robot from the links of its URDF; the head turns by two rotations about axes that the run tells.
 import * as THREE from 'three';
+import { CAMERA } from './look.js';
 
 const SIDES = 24;
 
@@ -54,11 +55,11 @@ export class Robot {
       faces.push(0, 0, 0, u, v, far, p, q, far);
     });
     const geometry = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute(points, 3));
-    const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: 0xcc79a7, transparent: true, opacity: 0.7 }));
+    const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: CAMERA.colour, transparent: true, opacity: 0.7 }));
     lines.position.set(camera[0], camera[1], camera[2]);
     lines.quaternion.set(camera[3], camera[4], camera[5], camera[6]);
     const sides = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute(faces, 3));
-    const glass = { color: 0xcc79a7, transparent: true, opacity: 0.12, side: THREE.DoubleSide, depthWrite: false };
+    const glass = { color: CAMERA.colour, transparent: true, opacity: 0.12, side: THREE.DoubleSide, depthWrite: false };
     lines.add(new THREE.Mesh(sides, new THREE.MeshBasicMaterial(glass)));
     return lines;
   }

@@ -1,7 +1,7 @@
 // The scene: camera, light, layers, picking. Draws only when something has changed.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { LAYERS, Layers } from './layers.js';
+import { Layers } from './layers.js';
 import { themed } from './look.js';
 
 const FIELD = 45; // degrees
@@ -36,7 +36,7 @@ export class Scene {
     this.world.add(new THREE.HemisphereLight(0xffffff, 0x8a8f98, 1.6), sun);
     this.layers = new Layers(this.world);
     this.following = false;
-    this.covered = [0, 0]; // pixels at the right and at the bottom that a drawer hides
+    this.covered = { left: 0, right: 0, bottom: 0 }; // pixels that legend and drawer hide
     this.listen();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.restyle();
@@ -86,7 +86,7 @@ export class Scene {
     const middle = new THREE.Vector3((west + east) / 2, (south + north) / 2, 0);
     const half = Math.tan((FIELD / 2) * (Math.PI / 180));
     const slant = from === 'top' ? 1 : 0.86;
-    const aspect = this.camera.aspect * (1 - this.covered[0] / this.canvas.clientWidth);
+    const aspect = this.camera.aspect * (1 - (this.covered.left + this.covered.right) / this.canvas.clientWidth);
     const lies = this.camera.aspect < 1 === east - west > north - south; // the long side of the place along that of the picture
     const [wide, deep] = lies ? [north - south, east - west] : [east - west, north - south];
     const distance = Math.max(deep * slant, wide / aspect) / 2 / half + (from === 'top' ? 1.6 : 2.2);
@@ -151,10 +151,10 @@ export class Scene {
     this.draw();
   }
 
-  /** The right side and the bottom are covered so far [pixels]: what is looked at stays in the middle of the rest. */
+  /** Some of { left, right, bottom } are covered so far [pixels]: what is looked at stays in the middle of the rest. */
   leaveFree(covered) {
-    if (String(this.covered) === String(covered)) return;
-    this.covered = covered;
+    if (Object.entries(covered).every(([side, pixels]) => this.covered[side] === pixels)) return;
+    Object.assign(this.covered, covered);
     this.resize();
   }
 
@@ -181,7 +181,8 @@ export class Scene {
     if (!width || !height) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.setViewOffset(width, height, this.covered[0] / 2, this.covered[1] / 2, width, height);
+    const { left, right, bottom } = this.covered;
+    this.camera.setViewOffset(width, height, (right - left) / 2, bottom / 2, width, height);
     this.draw();
   }
 
@@ -194,5 +195,3 @@ export class Scene {
     });
   }
 }
-
-export { LAYERS };

@@ -28,7 +28,7 @@ const signed = (look, text) => {
 
 function objects(state, app) {
   const rows = (state.objects?.list ?? []).map((o) => row(
-    [signed(objectLook(o), o.name), objectLook(o).meaning, seconds(o.found_at), metres(o.error, 3), place(o.p)],
+    [signed(objectLook(o, state.over), o.name), objectLook(o, state.over).verdict, seconds(o.found_at), metres(o.error, 3), place(o.p)],
     { act: () => app.choose({ kind: 'object', id: o.name }), chosen: state.chosen?.id === o.name, id: o.name }));
   const placed = table(['object', 'verdict', 'after', 'error', 'x, y [m]'], rows, 'No object was placed.');
   if (state.bodies.length === 0) return placed;
@@ -133,12 +133,12 @@ const voxels = (base64) => Math.floor((base64.length * 3) / 4 / 6);
 
 /** Name, title, what it holds, and what it depends on. */
 const TABS = [
-  ['objects', 'Objects', objects, (s) => [s.objects?.t, s.chosen?.id, s.bodies.map((b) => b.t)]],
+  ['objects', 'Objects', objects, (s) => [s.objects?.t, s.over, s.chosen?.id, s.bodies.map((b) => b.t)]],
   ['regions', 'Regions', regions, (s) => [s.regions?.t, s.chosen?.id]],
   ['segments', 'Segments', segments, (s) => [s.examined.length]],
   ['plan', 'Plan', plan, (s) => [s.plan?.t, s.step?.t, s.views?.t]],
   ['events', 'Events', events, (s) => [Math.floor(s.time), s.store.count]],
-  ['run', 'Run', figures, (s) => [s.time.toFixed(1), s.ended]],
+  ['run', 'Run', figures, (s) => [s.time.toFixed(1), s.over]],
 ];
 
 export class Tables {
