@@ -1,5 +1,5 @@
 // What was chosen: its picture, its numbers, and why it got its verdict.
-import { badge, make, metres, percent, place, seconds } from './dom.js';
+import { badge, fixed, make, metres, percent, seconds } from './dom.js';
 import { REGION, objectLook } from './look.js';
 
 function sheet(title, look, why, rows, picture) {
@@ -32,7 +32,7 @@ export function objectDetail(object, state, source) {
   const examined = state.store.examinationOf(object);
   return sheet(object.name, objectLook(object, state.over), whyObject(object, state.start.referee, state.over), [
     ['kind', object.kind || 'of the world'],
-    ['lies at', `${place(object.p)} m`],
+    ['lies at', state.where.sentence(object.p)],
     ['found after', seconds(object.found_at)],
     ['error', metres(object.error, 3)],
     ['region', examined?.region ? String(examined.region) : '–'],
@@ -50,9 +50,9 @@ export function regionDetail(region, state, source) {
   const examined = state.examined.findLast((e) => e.region === region.id);
   const segments = examined?.segments ?? [];
   const rows = [
-    ['middle', `${place(region.p)} m`],
+    ['middle', state.where.sentence(region.p)],
     ['radius', metres(region.radius)],
-    ['height', `${region.z[0].toFixed(2)} to ${region.z[1].toFixed(2)} m`],
+    ['height', `${fixed(region.z[0], 2)} to ${metres(region.z[1])}`],
     ['first seen', seconds(region.first_seen)],
     ['examined', seconds(region.examined_at)],
     ...segments.map((s, i) => [`segment ${i + 1}`, `${s.size.map((v) => (100 * v).toFixed(0)).join(' × ')} cm, ${s.points} points${s.cut ? ', cut off' : ''}`]),

@@ -31,7 +31,12 @@ export function badge(look) {
 /** "1 segment", "2 segments". */
 export const several = (count, thing) => `${count} ${thing}${count === 1 ? '' : 's'}`;
 
-export const metres = (value, digits = 2) => (value === null || value === undefined ? '–' : `${value.toFixed(digits)} m`);
-export const seconds = (value) => (value === null || value === undefined ? '–' : `${value.toFixed(1)} s`);
+/** A number that is not "-0.0". */
+export function fixed(value, digits) {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace('-', '') : text;
+}
+export const metres = (value, digits = 2) => (value === null || value === undefined ? '–' : `${fixed(value, digits)} m`);
+export const seconds = (value) => (value === null || value === undefined ? '–' : `${fixed(value, 1)} s`);
 export const percent = (value) => `${Math.round(100 * value)} %`;
-export const place = (p) => `${p[0].toFixed(2)}, ${p[1].toFixed(2)}`;
+export const degrees = (radians) => `${fixed((radians * 180) / Math.PI, 0)}°`;

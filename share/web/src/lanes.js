@@ -21,8 +21,9 @@ export function steps(store) {
 }
 export const detections = (store) => (store.all('regions').at(-1)?.list ?? []).map((r) => [r.first_seen, `region ${r.id} detected`]);
 export const finds = (store) => (store.all('objects').at(-1)?.list ?? []).filter((o) => o.found);
-export const faults = (store) => [
-  ...store.all('collision').map((e) => ({ t: e.t, text: `${e.link} touched ${e.body}` })),
+export const touchText = (e) => `${e.link} touched ${e.body}`;
+const faults = (store) => [
+  ...store.all('collision').map((e) => ({ t: e.t, text: touchText(e) })),
   ...store.all('log').map((e) => ({ t: e.t, text: e.text })),
 ];
 

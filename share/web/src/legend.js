@@ -23,10 +23,13 @@ export class Legend {
   constructor(host, scene) {
     this.host = host;
     this.scene = scene;
+    this.titles = new Map();
     host.open = innerWidth > NARROW;
     for (const [name, title, signs, on] of LAYERS) {
       const box = make('input', { type: 'checkbox', checked: on, onchange: () => this.show(name, box.checked) });
-      host.append(make('label', { 'data-layer': name }, box, make('span', {}, title), ...signs.map(sign)));
+      const words = make('span', {}, title);
+      this.titles.set(name, words);
+      host.append(make('label', { 'data-layer': name }, box, words, ...signs.map(sign)));
     }
     host.append(this.cut(), this.meanings());
     new ResizeObserver(() => this.leaveFree()).observe(host);
@@ -37,6 +40,9 @@ export class Legend {
     this.scene.layers.setVisible(name, on);
     this.scene.draw();
   }
+
+  /** The robot's map is that of the instant, or of the end throughout where a report holds no other one. */
+  update(state) { this.titles.get('current').textContent = state.mapOf; }
 
   /** What is looked at stays beside it, unless the scene is too narrow for both. */
   leaveFree() {

@@ -8,8 +8,9 @@ import { Tables } from './tables.js';
 import { Lanes } from './lanes.js';
 import { Drawer } from './drawer.js';
 import { paintStatus } from './status.js';
+import { Where } from './where.js';
 import { listenToKeys } from './keys.js';
-import { make } from './dom.js';
+import { fixed, make } from './dom.js';
 
 const $ = (id) => document.getElementById(id);
 const TABLES_EVERY = 200; // ms between two updates of what is no picture
@@ -24,8 +25,10 @@ class App {
     this.live = false;
     this.chosen = null;
     document.body.classList.toggle('still', this.source.still);
+    this.where = new Where();
     const context = contextOf($('scene'));
-    this.scene = context ? new Scene($('scene'), context, (what) => this.choose(what)) : new NoScene($('scene'));
+    const told = { pick: (what) => this.choose(what), name: (what) => this.nameOf(what) };
+    this.scene = context ? new Scene($('scene'), context, told) : new NoScene($('scene'));
     this.legend = new Legend($('layers'), this.scene);
     this.tables = new Tables($('tables'), this, this.source.still);
     this.lanes = new Lanes($('lanes'), (time) => this.seek(time));
@@ -61,6 +64,7 @@ class App {
     const same = this.start && JSON.stringify(this.start) === JSON.stringify(start);
     this.start = start;
     if (same) return; // told again: the scene stands, and is seen from where one was
+    this.where = new Where(start.place?.T_world_map);
     document.title = `amiss: ${start.world}, seed ${start.seed}`;
     $('subject').textContent = `${start.world} · seed ${start.seed} · ${start.method} search`;
     this.scene.begin(start);
@@ -85,7 +89,8 @@ class App {
     const placed = new Set((store.first('objects')?.list ?? []).map((object) => object.name));
     const thin = Math.max(1, Math.floor(trail.length / 1500));
     const state = {
-      store, time, start: this.start, chosen: this.chosen,
+      store, time, start: this.start, chosen: this.chosen, where: this.where,
+      mapOf: store.merged ? 'map at the end' : 'map now',
       pose: store.poseAt(time),
       trail: trail.filter((_, i) => i % thin === 0).map((e) => e.p),
       examined: store.until('examined', time),
@@ -118,6 +123,7 @@ class App {
     if (!this.start) return paintStatus(this);
     const state = this.state();
     this.scene.update(state);
+    this.legend.update(state);
     $('now').textContent = `${this.time.toFixed(1)} s`;
     const scrub = $('scrub');
     scrub.max = Math.max(0.1, this.store.end).toFixed(1);
@@ -149,7 +155,7 @@ class App {
     const list = state.objects?.list ?? [];
     const figures = [
       [`${list.filter((o) => o.found).length} of ${list.length}`, 'found'],
-      [`${(state.progress?.seen_m2 ?? 0).toFixed(0)} m²`, 'seen'],
+      [`${fixed(state.progress?.seen_m2 ?? 0, 0)} m²`, 'seen'],
       [String((state.regions?.list ?? []).filter((r) => r.state !== 'withdrawn').length), 'regions'],
       [String(state.touches.length), 'touches'],
     ];
@@ -181,12 +187,24 @@ class App {
     this.chosen = what ?? null;
     this.tablesAt = undefined;
     if (what) {
-      const state = this.state();
-      const list = (what.kind === 'object' ? state.objects : state.regions)?.list ?? [];
-      const thing = list.find((one) => (one.name ?? one.id) === what.id);
+      const thing = this.find(what);
       if (thing && !this.scene.following) this.scene.goTo([thing.p[0], thing.p[1], 0.1]);
     }
     this.refresh();
+  }
+
+  /** The object or region of what was clicked. */
+  find({ kind, id }) {
+    const state = this.state();
+    const list = (kind === 'object' ? state.objects : state.regions)?.list ?? [];
+    return list.find((one) => (one.name ?? one.id) === id);
+  }
+
+  /** For the pointer over the scene. */
+  nameOf(what) {
+    const thing = this.find(what);
+    const name = what.kind === 'region' ? `region ${what.id}` : what.id;
+    return thing ? `${name} at ${this.where.sentence(thing.p)}` : name;
   }
 
   goTo(p) { this.scene.goTo(p); }

@@ -45,7 +45,7 @@ export function plots(store) {
   const times = finds(store).map((o) => o.found_at).sort((a, b) => a - b);
   const found = [[0, 0], ...times.map((t, i) => [t, i + 1]), [store.end, times.length]];
   return [
-    plot({ name: 'floor seen', unit: 'm²', series: [{ colour: PALETTE.sky, points: progress.map((e) => [e.t, e.seen_m2]) }] }, store.end),
+    plot({ name: 'ground seen', unit: 'm²', series: [{ colour: PALETTE.sky, points: progress.map((e) => [e.t, e.seen_m2]) }] }, store.end),
     plot({ name: 'objects found', steps: true, series: [{ colour: PALETTE.green, points: found }] }, store.end),
     plot({ name: 'error of the position', unit: 'mm', series: [{ colour: PALETTE.vermillion, points: errors }] }, store.end),
   ];

@@ -16,9 +16,10 @@ export function contextOf(canvas) {
 }
 
 export class Scene {
-  constructor(canvas, context, onPick) {
+  /** told.pick(what) when something is clicked, told.name(what) for what the pointer is over. */
+  constructor(canvas, context, told) {
     this.canvas = canvas;
-    this.onPick = onPick;
+    this.told = told;
     this.renderer = new THREE.WebGLRenderer({ canvas, context });
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.world = new THREE.Scene();
@@ -49,13 +50,13 @@ export class Scene {
     this.canvas.addEventListener('pointerup', (event) => {
       if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > CLICK) return;
       const what = this.at(event);
-      this.onPick(what);
+      this.told.pick(what);
     });
     this.canvas.addEventListener('pointermove', (event) => {
       if (event.buttons !== 0) return;
       const what = this.at(event);
       this.canvas.style.cursor = what ? 'pointer' : 'grab';
-      this.canvas.title = what ? (what.kind === 'region' ? `region ${what.id}` : what.id) : '';
+      this.canvas.title = what ? this.told.name(what) : '';
     });
   }
 

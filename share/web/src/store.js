@@ -18,11 +18,15 @@ export class Store {
     this.end = 0;
     this.voxels = new VoxelLog();
     this.count = 0;
+    this.merged = false;
   }
 
   add(event) {
     ++this.count;
-    if (event.e === 'voxels') this.voxels.add(event);
+    if (event.e === 'voxels') {
+      this.voxels.add(event);
+      this.merged ||= event.merged === true; // a long report holds the map of the end alone
+    }
     const list = this.all(event.e);
     list.push(event);
     if (event.t > this.end) this.end = event.t;
