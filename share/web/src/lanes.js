@@ -1,6 +1,7 @@
 // The timeline: a lane for each kind of thing that happened, and how much floor was seen.
 import { svg } from './dom.js';
-import { OBJECT, PALETTE, REGION, SEGMENT } from './look.js';
+import { logged } from './log.js';
+import { FAULT, NOTE, OBJECT, PALETTE, RECOVERY, REGION, SCRIPT, SEGMENT } from './look.js';
 
 export const LANES = [
   { name: 'plans', colour: PALETTE.yellow, marks: (store) => store.all('plan').map((e) => [e.t, `plan ${e.number}`]) },
@@ -8,8 +9,10 @@ export const LANES = [
   { name: 'regions', colour: REGION.open.colour, marks: (store) => detections(store) },
   { name: 'examined', colour: SEGMENT.colour, marks: (store) => store.all('examined').map((e) => [e.t, `${e.region ? 'region ' + e.region : 'frame'} examined`]) },
   { name: 'found', colour: OBJECT.found.colour, marks: (store) => finds(store).map((o) => [o.found_at, o.name + ' found']) },
-  { name: 'script', colour: PALETTE.grey, optional: true, marks: (store) => store.all('script').map((e) => [e.t, e.text]) },
-  { name: 'faults', colour: PALETTE.vermillion, marks: (store) => faults(store).map((e) => [e.t, e.text]) },
+  { name: 'script', colour: SCRIPT.colour, optional: true, marks: (store) => store.all('script').map((e) => [e.t, e.text]) },
+  { name: 'notes', colour: NOTE.colour, optional: true, marks: (store) => logged(store, NOTE).map((e) => [e.t, e.text]) },
+  { name: 'faults', colour: FAULT.colour, marks: (store) => faults(store).map((e) => [e.t, e.text]) },
+  { name: 'recovered', colour: RECOVERY.colour, optional: true, marks: (store) => logged(store, RECOVERY).map((e) => [e.t, e.text]) },
 ];
 
 /** What a step of a plan is called. */
@@ -22,14 +25,13 @@ export function steps(store) {
 export const detections = (store) => (store.all('regions').at(-1)?.list ?? []).map((r) => [r.first_seen, `region ${r.id} detected`]);
 export const finds = (store) => (store.all('objects').at(-1)?.list ?? []).filter((o) => o.found);
 export const touchText = (e) => `${e.link} touched ${e.body}`;
-const faults = (store) => [
-  ...store.all('collision').map((e) => ({ t: e.t, text: touchText(e) })),
-  ...store.all('log').map((e) => ({ t: e.t, text: e.text })),
-];
+const faults = (store) => [...store.all('collision').map((e) => ({ t: e.t, text: touchText(e) })), ...logged(store, FAULT)].sort((a, b) => a.t - b.t);
 
 const LANE = 14;
 const NEAR = 6; // pixels within which a mark is meant
-const NAMES = 62; // pixels for the names at the left; the slider begins there, too
+const NAMES = 62; // pixels for the names at the left; half a thumb before that the slider begins
+const APART = 1; // pixels; what is nearer than that is one mark
+const MOST_WORDS = 6; // things that one mark names
 
 export class Lanes {
   constructor(host, seek) {
@@ -72,6 +74,17 @@ export class Lanes {
 
   x(time, end, width) { return NAMES + (width - NAMES - 8) * (end > 0 ? time / end : 0); }
 
+  /** Marks that would lie on one another as one. */
+  together(marks, width) {
+    const list = [];
+    for (const [t, text] of marks) {
+      const x = this.x(t, this.store.end, width);
+      if (!list.length || Math.abs(x - list.at(-1).x) >= APART) list.push({ x, words: [] });
+      list.at(-1).words.push(`${t.toFixed(1)} s: ${text}`);
+    }
+    return list;
+  }
+
   paint(store, width) {
     const lanes = (this.lanes = LANES.filter((lane) => !lane.optional || lane.marks(store).length > 0));
     const height = LANE * lanes.length;
@@ -89,10 +102,11 @@ export class Lanes {
       const name = svg('text', { x: 0, y: y + 4 });
       name.textContent = lane.name;
       drawing.append(name, svg('line', { class: 'lane', x1: NAMES, x2: width - 8, y1: y, y2: y }));
-      for (const [t, text] of lane.marks(store)) {
+      for (const { x, words } of this.together(lane.marks(store), width)) {
         const title = svg('title');
-        title.textContent = `${t.toFixed(1)} s: ${text}`;
-        drawing.append(svg('circle', { cx: this.x(t, store.end, width), cy: y, r: 4, fill: lane.colour }, title));
+        const more = words.length - MOST_WORDS;
+        title.textContent = [...words.slice(0, MOST_WORDS), ...(more > 0 ? [`and ${more} more`] : [])].join('\n');
+        drawing.append(svg('circle', { cx: x, cy: y, r: 4, fill: lane.colour }, title));
       }
     });
     drawing.append(this.cursor);

@@ -2,7 +2,8 @@
 import { make, metres, seconds, several } from './dom.js';
 import { figures } from './figures.js';
 import { finds, stepText, steps, touchText } from './lanes.js';
-import { BODY, FAULT, OBJECT, REGION, SCRIPT, SEGMENT, VIEW, objectLook } from './look.js';
+import { logged } from './log.js';
+import { BODY, FAULT, NOTE, OBJECT, RECOVERY, REGION, SCRIPT, SEGMENT, VIEW, objectLook } from './look.js';
 import { row, sentence, signed, table } from './rows.js';
 
 const MOST_EVENTS = 200; // rows: a page with thousands of buttons is slow
@@ -55,7 +56,7 @@ function happened({ store, time, where }) {
     ...finds(store).filter((o) => o.found_at <= time).map((o) => ({ t: o.found_at, text: `${o.name} found`, look: OBJECT.found })),
     ...store.until('script', time).map((e) => ({ ...e, look: SCRIPT })),
     ...store.until('collision', time).map((e) => ({ t: e.t, text: `${touchText(e)} at ${where.sentence(e.p)}`, look: FAULT })),
-    ...store.until('log', time).map((e) => ({ ...e, look: FAULT })),
+    ...[FAULT, RECOVERY, NOTE].flatMap((look) => logged(store, look, time)),
   ];
   return list.sort((a, b) => b.t - a.t);
 }
