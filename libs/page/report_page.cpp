@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <set>
 
 #include "core/base64.hpp"
 #include "core/result.hpp"
 #include "page/bundle.hpp"
+#include "page/internal/shorter_run.hpp"
 
 namespace amiss::page {
 
@@ -28,74 +28,6 @@ std::vector<Json> parsed(const std::vector<std::string>& lines) {
     events.push_back(std::move(json));
   }
   return events;
-}
-
-/// Three 16-bit indices, still in base64: eight characters, for six bytes are two groups of four digits.
-constexpr std::size_t kVoxelText = 8;
-
-/// Voxels that are occupied after all events, as one event from the beginning on.
-Json merged_voxels(const std::vector<const Json*>& events) {
-  std::set<std::string> occupied;
-  for (const Json* event : events) {
-    const auto& on = (*event)["on"].get_ref<const std::string&>();
-    const auto& off = (*event)["off"].get_ref<const std::string&>();
-    for (std::size_t i = 0; i < on.size(); i += kVoxelText) occupied.insert(on.substr(i, kVoxelText));
-    for (std::size_t i = 0; i < off.size(); i += kVoxelText) occupied.erase(off.substr(i, kVoxelText));
-  }
-  std::string text;
-  for (const std::string& voxel : occupied) text += voxel;
-  return {{"e", "voxels"}, {"t", 0.0}, {"on", text}, {"off", ""}};
-}
-
-std::vector<Json> thinned(const std::vector<const Json*>& poses) {
-  const std::size_t step = (poses.size() + kMostPoses - 1) / kMostPoses;
-  std::vector<Json> kept;
-  for (std::size_t i = 0; i < poses.size(); i += step) kept.push_back(*poses[i]);
-  if (!poses.empty() && (poses.size() - 1) % step != 0) kept.push_back(*poses.back());
-  return kept;
-}
-
-/// The last one, and from there back each `step`-th.
-std::vector<Json> every(const std::vector<const Json*>& events, std::size_t step) {
-  std::vector<Json> kept;
-  for (std::size_t i = (events.size() - 1) % step; i < events.size(); i += step) kept.push_back(*events[i]);
-  return kept;
-}
-
-/// The smallest step that leaves no more than kMostOfAKind, or the last one alone.
-std::size_t step_that_fits(const std::vector<std::size_t>& bytes) {
-  for (std::size_t step = 2; step < bytes.size(); ++step) {
-    std::size_t sum = 0;
-    for (std::size_t i = (bytes.size() - 1) % step; i < bytes.size(); i += step) sum += bytes[i];
-    if (sum <= kMostOfAKind) return step;
-  }
-  return bytes.size();
-}
-
-std::vector<Json> shortened(const std::string& kind, const std::vector<const Json*>& events) {
-  if (kind == "pose") return thinned(events);
-  if (kind == "frame") return every(events, (events.size() + kMostFrames - 1) / kMostFrames);
-  std::vector<std::size_t> bytes;
-  for (const Json* event : events) bytes.push_back(event->dump().size());
-  const bool once = kind == "start" || kind == "end" || kind == "examined";
-  const std::size_t sum = std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
-  if (kind == "voxels" && sum > kMostOfAKind) return {merged_voxels(events)};
-  return every(events, once || sum <= kMostOfAKind ? 1 : step_that_fits(bytes));
-}
-
-std::vector<Json> shortened(const std::vector<Json>& events) {
-  std::map<std::string, std::vector<const Json*>> kinds;
-  for (const Json& event : events) kinds[event["e"].get<std::string>()].push_back(&event);
-  std::vector<Json> kept;
-  for (const auto& [kind, list] : kinds) {
-    for (Json& event : shortened(kind, list)) kept.push_back(std::move(event));
-  }
-  const auto place = [](const Json& event) {
-    const int at_the_end = event["e"] == "start" ? -1 : (event["e"] == "end" ? 1 : 0);
-    return std::pair(at_the_end, event["t"].get<double>());
-  };
-  std::stable_sort(kept.begin(), kept.end(), [&](const Json& a, const Json& b) { return place(a) < place(b); });
-  return kept;
 }
 
 /// What a page shows of an event, as slices of camera.bin.
@@ -121,21 +53,28 @@ std::vector<std::size_t> by_worth(const std::vector<Json>& events) {
   return order;
 }
 
+constexpr std::string_view kDataAddress = "data:image/jpeg;base64,";
+
+/// Bytes that a picture takes in the page, its key and marks included.
+std::size_t bytes_in_page(Slice slice) {
+  constexpr std::size_t kKeyAndMarks = 20;
+  return kDataAddress.size() + (slice.bytes + 2) / 3 * 4 + kKeyAndMarks;
+}
+
 /// Data addresses by where a picture begins in camera.bin, as many as there is room for. A frame without is forgotten.
-Json pictures_of(std::vector<Json>& events, const std::function<std::string(Slice)>& picture) {
+Json pictures_of(std::vector<Json>& events, std::size_t room, const std::function<std::string(Slice)>& picture) {
   Json pictures = Json::object();
-  std::size_t room = kMostPictures;
   std::set<std::size_t> without;
   for (const std::size_t i : by_worth(events)) {
     std::size_t bytes = 0;
-    for (const Slice slice : slices_of(events[i])) bytes += slice.bytes;
+    for (const Slice slice : slices_of(events[i])) bytes += bytes_in_page(slice);
     if (bytes == 0 || bytes > room) {
       if (events[i]["e"] == "frame") without.insert(i);
       continue;
     }
     room -= bytes;
     for (const Slice slice : slices_of(events[i])) {
-      pictures[std::to_string(slice.begin)] = "data:image/jpeg;base64," + base64(picture(slice));
+      pictures[std::to_string(slice.begin)] = std::string(kDataAddress) + base64(picture(slice));
     }
   }
   for (auto i = without.rbegin(); i != without.rend(); ++i)
@@ -166,16 +105,9 @@ constexpr std::string_view kContentPolicy =
     R"(<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; )"
     R"(style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'">)";
 
-}  // namespace
-
-std::string to_html(const ReportPage& page) {
-  std::vector<Json> events = shortened(parsed(page.lines));
-  Json run;
-  run["pictures"] = pictures_of(events, page.picture);
-  run["events"] = std::move(events);
-  run["texts"] = page.texts;
-  run["texts"]["licences.txt"] = bundled("/licences.txt");
-
+/// The page of events, texts by name and pictures.
+std::string page_with(const std::vector<Json>& events, const Json& texts, const Json& pictures) {
+  const Json run = {{"pictures", pictures}, {"events", events}, {"texts", texts}};
   std::string html(bundled("/"));
   replace(html, R"(<link rel="stylesheet" href="/app.css">)",
           std::string(kContentPolicy) + "\n<style>" + std::string(bundled("/app.css")) + "</style>");
@@ -184,6 +116,35 @@ std::string to_html(const ReportPage& page) {
           "<script type=\"application/json\" id=\"run\">" + in_script(run) + "</script>\n<script>" +
               std::string(bundled("/app.js")) + "</script>\n</body>");
   return html;
+}
+
+/// Beside the program's version, where the page shows it.
+void add_libraries(std::vector<Json>& events, const std::string& libraries) {
+  for (Json& event : events) {
+    if (event["e"] == "start" && event.contains("version") && !libraries.empty()) {
+      event["version"] = event["version"].get<std::string>() + "; " + libraries;
+    }
+  }
+}
+
+}  // namespace
+
+std::string to_html(const ReportPage& page) {
+  constexpr std::size_t kLeastOfAKind = kMostOfAKind / 64;  // a run that is larger even so is not of this world
+  std::vector<Json> whole = parsed(page.lines);
+  add_libraries(whole, page.libraries);
+  Json texts = page.texts;
+  texts["licences.txt"] = bundled("/licences.txt");
+
+  std::vector<Json> events;
+  std::size_t taken = kMostBytes;
+  for (std::size_t most = kMostOfAKind; most >= kLeastOfAKind && taken + kLeastForPictures > kMostBytes; most /= 2) {
+    events = shortened(whole, most);
+    taken = page_with(events, texts, Json::object()).size();
+  }
+  const std::size_t room = kMostBytes - std::min(kMostBytes, taken);
+  const Json pictures = pictures_of(events, room, page.picture);
+  return page_with(events, texts, pictures);
 }
 
 }  // namespace amiss::page

@@ -1,9 +1,10 @@
 // report.html: the page with a run inside, one file that opens without a server and without a network.
-// Lines of a timeline, its pictures, texts by name -> HTML. So that it stays small it holds the run's end and no more
+// Lines of a timeline, its pictures, texts by name -> HTML of less than kMostBytes. It holds the run's end and no more
 // of the way there than fits: poses thinned to kMostPoses, events of a kind that takes more than kMostOfAKind bytes to
-// what fits, evenly over time and the last one always (the voxels of the map to what is occupied at the end), pictures
-// up to kMostPictures bytes: the last frame, examinations, kMostFrames over the run. InputError for lines that are no
-// timeline.
+// what fits, evenly over time and the last one always (the voxels of the map to what is occupied at the end, marked
+// "merged"), and into the room that is left pictures: the last frame, examinations, kMostFrames over the run. Where the
+// whole leaves no room for pictures, every kind is given half as much until it does; maps lose their upper layers then,
+// and a log event says so. InputError for lines that are no timeline.
 #pragma once
 
 #include <functional>
@@ -15,13 +16,14 @@
 
 namespace amiss::page {
 
-inline constexpr std::size_t kMostPoses = 1500, kMostOfAKind = 250'000, kMostPictures = 700'000;
-inline constexpr std::size_t kMostFrames = 24;
+inline constexpr std::size_t kMostBytes = 3'000'000, kMostOfAKind = 250'000, kLeastForPictures = 250'000;
+inline constexpr std::size_t kMostPoses = 1500, kMostFrames = 24;
 
 struct ReportPage {
   std::vector<std::string> lines;             // of timeline.jsonl
   std::function<std::string(Slice)> picture;  // JPEG bytes
   std::map<std::string, std::string> texts;   // "params.yaml" -> what stands in it
+  std::string libraries = {};                 // "Eigen 3.4.0, ...": shown beside the program's version
 };
 
 [[nodiscard]] std::string to_html(const ReportPage& page);

@@ -83,19 +83,31 @@ TEST(ReportPage, KeepsOfManyWhatFitsEvenlyAndTheLast) {
   EXPECT_LT(run["events"].front()["t"], 25);
 }
 
-/// Pictures of 90 kB: the last frame and the examination come first, and no frame stays that could not be shown.
+/// Pictures of 450 kB: the last frame and the examination come first, and no frame stays that could not be shown.
 TEST(ReportPage, TheLastPicturesAndExaminationsComeFirst) {
   std::vector<std::string> lines;
   for (int i = 0; i < 20; ++i) {
-    const json colour{200'000 * i, 45'000}, depth{200'000 * i + 100'000, 45'000};
+    const json colour{1'000'000 * i, 225'000}, depth{1'000'000 * i + 500'000, 225'000};
     lines.push_back(json{{"e", "frame"}, {"t", i}, {"colour", colour}, {"depth", depth}}.dump());
   }
-  lines.insert(lines.begin() + 1, json{{"e", "examined"}, {"t", 0.5}, {"picture", {7, 90'000}}}.dump());
-  const json run = run_in(to_html({lines, [](Slice slice) { return std::string(slice.bytes, 'x'); }, {}}));
+  lines.insert(lines.begin() + 1, json{{"e", "examined"}, {"t", 0.5}, {"picture", {7, 450'000}}}.dump());
+  const std::string html = to_html({lines, [](Slice slice) { return std::string(slice.bytes, 'x'); }, {}});
+  const json run = run_in(html);
   EXPECT_TRUE(run["pictures"].contains("7"));
-  EXPECT_TRUE(run["pictures"].contains("3800000"));
-  EXPECT_EQ(frames_in(run).size(), 6U);
-  EXPECT_EQ(run["pictures"].size(), 13U);
+  EXPECT_TRUE(run["pictures"].contains("19000000"));
+  EXPECT_EQ(run["pictures"].size(), 1 + 2 * frames_in(run).size());
+  EXPECT_LT(html.size(), kMostBytes);
+  EXPECT_GT(html.size(), kMostBytes - 601'000) << "one more would have fitted";
+}
+
+TEST(ReportPage, NamesTheLibrariesBesideTheProgram) {
+  test::TemporaryFolder folder;
+  History history;
+  test::SmallRun().record(folder.path(), history, 1.0);
+  ReportPage page = page_of(history.lines(), folder.path());
+  EXPECT_EQ(run_in(to_html(page))["events"][0]["version"], "0.0.0");
+  page.libraries = "Eigen 3.4.0, MRPT 2.5.8";
+  EXPECT_EQ(run_in(to_html(page))["events"][0]["version"], "0.0.0; Eigen 3.4.0, MRPT 2.5.8");
 }
 
 TEST(ReportPage, NoTextOfARunCanEndItsElement) {
@@ -129,11 +141,49 @@ TEST(ReportPage, LongRunsStaySmall) {
   std::string voxels;
   for (const json& event : report["events"]) {
     poses += event["e"] == "pose" ? 1U : 0U;
-    if (event["e"] == "voxels") voxels += event["on"].get<std::string>();
+    if (event["e"] != "voxels") continue;
+    voxels += event["on"].get<std::string>();
+    EXPECT_TRUE(event["merged"]);
   }
   EXPECT_LE(poses, kMostPoses + 1);
   EXPECT_GT(poses, kMostPoses / 2);
   EXPECT_EQ(voxels.size(), 600U * 60U * 8U) << "every voxel that is occupied at the end, once";
+}
+
+std::string layer(int z, int count) {
+  std::vector<mapping::Voxel> voxels;
+  for (int i = 0; i < count; ++i) voxels.push_back({i % 200, i / 200, z});
+  return voxels_text(voxels);
+}
+
+/// More of everything than a flat has: every kind beyond its bounds, a map of a large building, 20 kB a picture.
+TEST(ReportPage, IsSmallForAnyRun) {
+  std::string building;
+  for (int z = 0; z < 150; ++z) building += layer(z, 2000);
+  std::vector<std::string> lines{json{{"e", "start"}, {"t", 0}, {"version", "0"}, {"reference", building}}.dump()};
+  for (int i = 1; i <= 200; ++i) {
+    for (const char* kind : {"regions", "views", "plan", "objects", "path", "log", "bodies", "script", "step", "pose",
+                             "progress", "collision"}) {
+      lines.push_back(json{{"e", kind}, {"t", i}, {"what", std::string(500, '<')}}.dump());
+    }
+    lines.push_back(json{{"e", "voxels"}, {"t", i}, {"on", layer(i % 50, 1000)}, {"off", ""}}.dump());
+    lines.push_back(json{{"e", "examined"}, {"t", i}, {"picture", {40'000 * i + 20'000, 20'000}}}.dump());
+    const json colour{40'000 * i, 10'000}, depth{40'000 * i + 10'000, 10'000};
+    lines.push_back(json{{"e", "frame"}, {"t", i}, {"colour", colour}, {"depth", depth}}.dump());
+  }
+  lines.push_back(json{{"e", "difference"}, {"t", 199}, {"appeared", building}, {"vanished", building}}.dump());
+  const json touches(20'000, json{{"link", "base"}, {"body", "wall"}});
+  lines.push_back(json{{"e", "end"}, {"t", 200}, {"report", {{"collision_list", touches}, {"found", 5}}}}.dump());
+  const std::string html = to_html({lines, [](Slice slice) { return std::string(slice.bytes, 'x'); }, {}});
+  EXPECT_LT(html.size(), kMostBytes);
+  EXPECT_GT(html.size(), kMostBytes - kLeastForPictures) << "room is left";
+  const json run = run_in(html);
+  EXPECT_EQ(run["events"].back()["report"]["found"], 5);
+  EXPECT_FALSE(frames_in(run).empty());
+  const std::string reference = run["events"].front()["reference"];
+  ASSERT_GT(reference.size(), 0U);
+  EXPECT_EQ(building.compare(0, reference.size(), reference), 0) << "the lower layers, each whole";
+  EXPECT_NE(run["events"].dump().find("maps without their upper layers"), std::string::npos);
 }
 
 TEST(ReportPage, RefusesWhatIsNoTimeline) {
