@@ -11,7 +11,10 @@ function skip(why) {
   process.exit(77);
 }
 
-export async function launch() {
+const SOFTWARE = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+export const NO_3D = ['--disable-3d-apis'];
+
+export async function launch(graphics = SOFTWARE) {
   const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
   if (!executablePath) skip('Chromium');
   let playwright;
@@ -20,8 +23,7 @@ export async function launch() {
   } catch {
     skip('playwright-core');
   }
-  const args = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-  return playwright.chromium.launch({ executablePath, args });
+  return playwright.chromium.launch({ executablePath, args: ['--no-sandbox', ...graphics] });
 }
 
 export class Programs {

@@ -1,11 +1,13 @@
-// The page in a browser: a run that goes on, a run that is over, report.html.
+// The page in a browser: a run that goes on, a run that is over, report.html, and what is hard to bear.
 // usage: node page_test.mjs PROGRAM FOLDER [SCREENSHOTS]
 import assert from 'node:assert/strict';
-import { mkdirSync, rmSync, statSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chooseByKeys, keysOfTimeAndScene, poorContrasts, walkByTab } from './access.mjs';
-import { DESKTOP, PHONE, Programs, launch, open, photographer } from './browser.mjs';
+import { DESKTOP, NO_3D, PHONE, Programs, launch, open, photographer } from './browser.mjs';
+import { isCompact, longReport, lostConnection, withoutScene, withoutScript } from './hard.mjs';
+import { looksLikeItsLegend, saysWhereInTheWorld, sliderIsUnderTheCursor, staysBesideTheLegend } from './look.mjs';
 
 const [program, folder, pictures] = process.argv.slice(2);
 rmSync(join(folder, 'run'), { recursive: true, force: true }); // of the last time
@@ -21,6 +23,8 @@ async function liveRun(browser) {
   await page.waitForFunction(([x, y]) => Math.hypot(window.amiss.state().pose.p[0] - x, window.amiss.state().pose.p[1] - y) > 0.5, first);
   await page.waitForFunction(() => window.amiss.state().objects.list.some((o) => o.found));
   await page.waitForSelector('#objects tbody tr');
+  const verdicts = await page.$$eval('#objects tbody tr', (rows) => rows.map((row) => row.cells[1].textContent));
+  assert.ok(verdicts.includes('not found yet') && !verdicts.includes('not found'), `while it goes on nothing is missed: ${verdicts}`);
   await page.click('#halt');
   await page.waitForFunction(() => document.getElementById('status').textContent === 'paused');
   const before = await page.evaluate(() => window.amiss.store.end);
@@ -75,10 +79,13 @@ async function scrubbedAndClicked(browser, url) {
   assert.notDeepEqual(await robot(page), last, 'the robot stands where it began');
   assert.equal(await page.evaluate(() => window.amiss.state().objects.list.filter((o) => o.found).length), 0);
   await page.evaluate(() => window.amiss.follow());
+  await saysWhereInTheWorld(page, JSON.parse(readFileSync(join(folder, 'run', 'report.json'), 'utf8')));
   await chooseByClick(page);
   await shoot(page, 'clicked');
   await page.keyboard.press('Escape');
   await page.waitForSelector('#detail', { state: 'hidden' });
+  await staysBesideTheLegend(page);
+  await sliderIsUnderTheCursor(page);
   const lanes = await page.locator('#lanes').boundingBox();
   await page.mouse.click(lanes.x + 0.5 * lanes.width, lanes.y + lanes.height - 4);
   const part = await page.evaluate(() => window.amiss.time / window.amiss.store.end);
@@ -125,6 +132,7 @@ async function isRead(browser, url) {
       await page.waitForTimeout(300);
       assert.deepEqual(await page.evaluate(poorContrasts), [], `${colorScheme}, ${await tab.textContent()}`);
     }
+    await looksLikeItsLegend(page);
     await page.click('#tab-run');
     await page.waitForTimeout(500);
     await shoot(page, colorScheme === 'dark' ? 'dark' : 'region');
@@ -140,6 +148,11 @@ async function onPhone(browser, url) {
   assert.ok(await fits(), 'nothing sticks out sideways');
   await phone.waitForTimeout(1500);
   await shoot(phone, 'phone');
+  await phone.tap('#layers > summary');
+  await phone.tap('.meanings > summary');
+  assert.ok(await phone.isVisible('.meanings li:has-text("region that was examined")'), 'letters are explained to a finger');
+  await shoot(phone, 'phone_legend');
+  await phone.tap('#layers > summary');
   await phone.tap('#objects tbody button');
   await phone.waitForSelector('#detail:not([hidden])');
   const sheet = await phone.locator('#detail').boundingBox();
@@ -159,6 +172,11 @@ async function finishedRun(browser) {
   await byKeyboard(browser, url);
   await isRead(browser, url);
   await onPhone(browser, url);
+  await withoutScript(browser, url);
+  const plain = await launch(NO_3D);
+  await withoutScene(plain, url, shoot);
+  await longReport(plain, resolve(folder, 'run', 'report.html'), shoot);
+  await plain.close();
   child.kill('SIGINT');
   assert.equal(await ended, 0);
 }
@@ -172,6 +190,7 @@ async function report(browser) {
   assert.match(await page.textContent('#parameters pre'), /voxel/);
   assert.ok((await page.locator('.plot').count()) >= 3);
   await page.waitForTimeout(1000);
+  await isCompact(page);
   await shoot(page, 'report', { fullPage: false });
   const seen = await page.getAttribute('#colour', 'alt');
   await page.evaluate(() => window.amiss.seek(0.5 * window.amiss.store.end));
@@ -182,6 +201,7 @@ async function report(browser) {
   await walkByTab(page);
   assert.deepEqual(page.complaints, []);
   await page.close();
+  await withoutScript(browser, url);
 }
 
 /** A scripted run: what the script does is in the timeline, what was expected in the table of its end. */
@@ -200,6 +220,8 @@ async function scenarioRun(browser) {
   assert.match(await page.textContent('#run'), /as expected/);
   await page.click('#tab-events');
   assert.match(await page.textContent('#events'), /camera/);
+  const badges = await page.$$eval('#events tbody tr', (rows) => Object.fromEntries(rows.map((row) => [row.cells[1].textContent, row.querySelector('.badge')?.textContent])));
+  assert.ok(badges['! waits: camera silent'] && badges['R goes on'], `a fault and the recovery from it: ${Object.keys(badges)}`);
   await page.waitForTimeout(500);
   await shoot(page, 'scenario');
   assert.deepEqual(page.complaints, []);
@@ -230,6 +252,7 @@ try {
   await liveRun(browser);
   await finishedRun(browser);
   await report(browser);
+  await lostConnection(browser, programs, folder, shoot);
   await scenarioRun(browser);
   await movedRun(browser);
   console.log('the page works');
