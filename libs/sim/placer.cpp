@@ -58,7 +58,10 @@ bool Placer::keep(const ScatteredObject& object, const world::Body& body) {
   const double level_m = under ? under->height_m() : physics_.bounds(index).min().z();
   const Eigen::Vector3d was = physics_.bounds(index).center();
   const bool rests = !overlaps(physics_, index) && internal::settle(physics_);
-  if (rests && (physics_.bounds(index).center() - was).norm() < kStaysWithin_m && all_lie_well()) {
+  // One that slips off a low thing stays near: it would never lie on its level, and all that comes later be refused.
+  const bool stays = (physics_.bounds(index).center() - was).norm() < kStaysWithin_m &&
+                     physics_.bounds(index).min().z() > level_m - kSinks_m;
+  if (rests && stays && all_lie_well()) {
     placed_.push_back({index, object.kind, object.name, level_m});
     return true;
   }

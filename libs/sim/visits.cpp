@@ -10,7 +10,7 @@ namespace amiss::sim {
 namespace {
 
 constexpr double kOnFloor_m = 0.1;  // feet below this have no furniture under them
-constexpr int kSpareKinds = 6;      // tried beyond the number wanted
+constexpr int kSpareKinds = 24;     // tried beyond the number wanted
 
 using Kinds = std::vector<const world::CatalogueEntry*>;
 

@@ -100,5 +100,16 @@ TEST_F(PlacerTest, KeepsWhatStaysAndRefusesWhatWouldFall) {
   EXPECT_FALSE(Placer(test::room(3, 3), {}).place("can", "can", catalogue_.at("can").body, Manner::kFree, random_));
 }
 
+TEST_F(PlacerTest, WhatSlipsOffALowThingDoesNotStayAndHindersNothing) {
+  world_.bodies.push_back(test::block("board_1", {0.3, 0.3, 0.03}, {2.2, 0.95, 0.765}));
+  Placer placer(world_, {});
+  ScatteredObject brick{"brick", "brick", {}};  // tilted over the edge of the board
+  brick.pose.T.translation() = Eigen::Vector3d(2.345, 0.95, 0.8192);
+  brick.pose.T.rotate(Eigen::AngleAxisd(radians(-15.0), Eigen::Vector3d::UnitY()));
+  EXPECT_FALSE(placer.keep(brick, catalogue_.at("brick").body)) << "it comes to lie beside the board, 3 cm lower";
+  EXPECT_TRUE(placer.objects().empty());
+  EXPECT_TRUE(placer.place("can", "can", catalogue_.at("can").body, Manner::kFree, random_));
+}
+
 }  // namespace
 }  // namespace amiss::sim
