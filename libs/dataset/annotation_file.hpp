@@ -1,7 +1,7 @@
 // Which points of a cloud belong to which object: ObChange's .anno files.
 // One object a line: "name index index ... [true|false]"; indices from 0 into the cloud beside it; the last word, where
 // it is there, says whether the object lies on the floor. Names have no spaces; a name may come again: its points are
-// then put together.
+// then put together. All names of a file with "airplane" in them are one object: ObChange's airplane lies in parts.
 // Errors: InputError with file and line: no number, an index that the cloud does not have, no name.
 #pragma once
 

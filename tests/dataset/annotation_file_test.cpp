@@ -42,5 +42,14 @@ TEST(AnnotationFile, WrongLinesAreRefusedWithTheirNumber) {
   EXPECT_EQ(why(""), "");
 }
 
+TEST(AnnotationFile, TheAirplaneLiesInParts) {
+  const auto objects = parse_annotations("toy_airplane 1 2\nmug 3\nairplane_wing 4 false\n", "f", 10);
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].name, "toy_airplane");
+  EXPECT_EQ(objects[0].points, (std::vector<std::uint32_t>{1, 2, 4}));
+  EXPECT_EQ(objects[0].on_floor, false);
+  EXPECT_EQ(objects[1].name, "mug");
+}
+
 }  // namespace
 }  // namespace amiss::dataset

@@ -11,6 +11,19 @@ void refuse_line(const std::string& name, int line, const std::string& what) {
   throw InputError(name + ":" + std::to_string(line) + ": " + what);
 }
 
+std::string shown(std::string_view word) {
+  constexpr std::size_t kMost = 24;
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const char c : word) {
+    if (text.size() >= kMost) return text + "...";
+    const auto byte = static_cast<unsigned char>(c);
+    const bool printable = byte >= 0x20 && byte < 0x7f;
+    text += printable ? std::string(1, c) : std::string("\\x") + kDigits[byte >> 4U] + kDigits[byte & 15U];
+  }
+  return text;
+}
+
 double finite_number(std::string_view word, const std::string& name, int line) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0.0;
@@ -18,7 +31,7 @@ double finite_number(std::string_view word, const std::string& name, int line) {
   const bool read = end == word.data() + word.size() && !word.empty() && error != std::errc::invalid_argument;
   if (error == std::errc::result_out_of_range) value = 0.0;
   if (!read || !std::isfinite(value)) {
-    refuse_line(name, line, "'" + std::string(word.substr(0, 40)) + "' is no finite number");
+    refuse_line(name, line, "'" + shown(word) + "' is no finite number");
   }
   return value;
 }
@@ -34,7 +47,7 @@ Stamp stamp_of(std::string_view word, const std::string& name, int line) {
   const bool read = a.ec == std::errc() && a.ptr == whole.data() + whole.size() && b.ec == std::errc() &&
                     b.ptr == digits.data() + digits.size();
   if (!read || seconds_s < 0 || seconds_s > 9'000'000'000 || nanoseconds < 0) {
-    refuse_line(name, line, "'" + std::string(word.substr(0, 40)) + "' is no time in seconds");
+    refuse_line(name, line, "'" + shown(word) + "' is no time in seconds");
   }
   return Stamp(Duration(seconds_s * 1'000'000'000 + nanoseconds));
 }

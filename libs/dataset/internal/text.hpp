@@ -13,6 +13,9 @@ namespace amiss::dataset {
 /// InputError "NAME:LINE: what".
 [[noreturn]] void refuse_line(const std::string& name, int line, const std::string& what);
 
+/// A word of a file for a sentence: its first characters, what cannot be printed as \x and two digits.
+[[nodiscard]] std::string shown(std::string_view word);
+
 /// A finite number; anything else is refused.
 [[nodiscard]] double finite_number(std::string_view word, const std::string& name, int line);
 
