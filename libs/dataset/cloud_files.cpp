@@ -27,7 +27,11 @@ const ScalarField* CloudFile::field(std::string_view name) const {
 
 CloudFile load_cloud(const std::filesystem::path& file) {
   const std::string bytes = load_bytes(file, kMaxFileBytes);
-  return bytes.starts_with("ply") ? parse_ply(bytes, file.string()) : parse_pcd(bytes, file.string());
+  if (bytes.empty()) throw InputError(file.string() + ": is empty; a PLY or PCD file is needed");
+  // What begins as neither is told of as what its name says.
+  const bool begins_as_pcd = bytes[0] == '#' || bytes.starts_with("VERSION") || bytes.starts_with("FIELDS");
+  const bool is_ply = bytes.starts_with("ply") || (file.extension() == ".ply" && !begins_as_pcd);
+  return is_ply ? parse_ply(bytes, file.string()) : parse_pcd(bytes, file.string());
 }
 
 void save_cloud(const std::filesystem::path& file, const CloudFile& cloud, CloudFormat format) {

@@ -5,7 +5,7 @@
 // in: file     out: points [m], colours, normals and every other scalar by its name (label, instance, curvature, ...),
 // in the order of the file: point i of the file is point i here, also where it is not finite. Colours are `rgb` or
 // `rgba` (packed, as float or integer) or red, green, blue; normals are normal_x .. or nx ..; fields of several values,
-// padding and lists of vertices are skipped; polygons become triangles.
+// padding and lists of vertices are skipped; polygons become triangles. Comments of the header are kept as notes.
 // Errors: InputError that names the file, the line of the header where there is one, and what is allowed.
 #pragma once
 
@@ -27,6 +27,7 @@ struct ScalarField {
 struct CloudFile {
   TriangleMesh<Map> mesh;  // without triangles it is a cloud
   std::vector<ScalarField> fields;
+  std::vector<std::string> notes = {};  // lines of text: `comment` of PLY, '#' of PCD
 
   [[nodiscard]] const Cloud<Map>& cloud() const { return mesh.vertices; }
   [[nodiscard]] const ScalarField* field(std::string_view name) const;  // nullptr where there is none

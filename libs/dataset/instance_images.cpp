@@ -33,7 +33,7 @@ Instance instance_of(std::string_view line, const std::string& name, int number)
     refuse_line(name, number, "the number of a body must be a whole one from 1 to 65535");
   }
   const auto named = semantic_class_of(fields[3]);
-  if (!named) refuse_line(name, number, "'" + std::string(fields[3]) + "' is no semantic class");
+  if (!named) refuse_line(name, number, "'" + shown(fields[3]) + "' is no semantic class");
   if (fields[4] != "yes" && fields[4] != "no") refuse_line(name, number, "on_floor must be yes or no");
   return {static_cast<std::uint16_t>(value), std::string(fields[1]), std::string(fields[2]), *named,
           fields[4] == "yes"};

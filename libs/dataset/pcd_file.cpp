@@ -6,10 +6,12 @@
 #include "dataset/cloud_files.hpp"
 #include "dataset/internal/lzf.hpp"
 #include "dataset/internal/records.hpp"
+#include "dataset/internal/text.hpp"
 
 namespace amiss::dataset {
 namespace {
 
+constexpr std::string_view kSignature = ".PCD";                // of the first line, which is a comment
 constexpr std::size_t kMostFields = 200, kMostNumbers = 4096;  // of a field
 
 struct Header {
@@ -18,6 +20,7 @@ struct Header {
   std::size_t points = 0, width = 0, height = 1;
   bool has_points = false;
   std::string data;
+  std::vector<std::string> notes;
   std::size_t end = 0;  // where the data begin
 };
 
@@ -31,7 +34,7 @@ std::vector<std::size_t> numbers(const std::vector<std::string_view>& words, con
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(words[i].data(), words[i].data() + words[i].size(), value);
     if (error != std::errc() || end != words[i].data() + words[i].size() || value > (std::size_t{1} << 32U)) {
-      refuse(name, line, "'" + std::string(words[i]) + "' is no number that can stand here");
+      refuse(name, line, "'" + shown(words[i]) + "' is no number that can stand here");
     }
     values.push_back(value);
   }
@@ -49,7 +52,12 @@ Header read_header(std::string_view bytes, const std::string& name) {
   LineReader lines(bytes);
   while (const auto line = lines.next()) {
     const auto words = words_of(*line);
-    if (words.empty() || words[0].starts_with('#')) continue;
+    if (words.empty()) continue;
+    if (words[0].starts_with('#')) {
+      const std::string_view comment = line->substr(line->find('#') + 1);
+      if (words.size() < 2 || words[1] != kSignature) keep_note(comment, h.notes);
+      continue;
+    }
     const int at = lines.line();
     if (words[0] == "FIELDS" || words[0] == "COLUMNS") {
       h.names.assign(words.begin() + 1, words.end());
@@ -74,7 +82,7 @@ Header read_header(std::string_view bytes, const std::string& name) {
       h.end = lines.position();
       return h;
     } else if (words[0] != "VERSION" && words[0] != "VIEWPOINT") {
-      refuse(name, at, "'" + std::string(words[0].substr(0, 40)) + "' is no entry of a PCD header");
+      refuse(name, at, "'" + shown(words[0]) + "' is no entry of a PCD header");
     }
   }
   throw InputError(name + ": the header of a PCD file must end with DATA ascii, binary or binary_compressed");
@@ -88,7 +96,7 @@ Scalar scalar_of(const std::string& type, std::size_t size, const std::string& n
   if (type == "F" && exponent == 3) return Scalar::kF64;
   if (type == "I" && exponent < 4) return kSigned[exponent];
   if (type == "U" && exponent < 4) return kUnsigned[exponent];
-  throw InputError(name + ": TYPE " + type.substr(0, 10) + " with SIZE " + std::to_string(size) +
+  throw InputError(name + ": TYPE " + shown(type) + " with SIZE " + std::to_string(size) +
                    " is no number; F of 4 or 8, I and U of 1, 2, 4 or 8 bytes are allowed");
 }
 
@@ -126,8 +134,8 @@ void read_ascii(std::string_view rest, Records& records, const std::string& name
       for (std::size_t k = 0; k < field.count; ++k) {
         const std::string_view word = take_word(rest);
         if (!append_number(word, field.type, records.bytes)) {
-          throw InputError(name + ": point " + std::to_string(i) + ": '" + std::string(word.substr(0, 40)) +
-                           "' is no number for " + field.name);
+          throw InputError(name + ": point " + std::to_string(i) + ": '" + shown(word) + "' is no number for " +
+                           field.name);
         }
       }
     }
@@ -155,16 +163,8 @@ void read_compressed(std::string_view rest, Records& records, const std::string&
   }
 }
 
-}  // namespace
-
-CloudFile parse_pcd(std::string_view bytes, const std::string& name) {
-  const Header header = read_header(bytes, name);
-  Records records = layout_of(header, name);
-  const std::string_view rest = bytes.substr(header.end);
-  if (header.data == "ascii") {
-    read_ascii(rest, records, name);
-    return cloud_of(records, name);
-  }
+void read_points(std::string_view rest, const Header& header, Records& records, const std::string& name) {
+  if (header.data == "ascii") return read_ascii(rest, records, name);
   // LZF makes at most 264 bytes of 3.
   const std::size_t most = header.data == "binary" ? rest.size() : 100 * rest.size();
   if (records.count > most / records.stride) {
@@ -176,7 +176,17 @@ CloudFile parse_pcd(std::string_view bytes, const std::string& name) {
   } else if (records.count > 0) {
     read_compressed(rest, records, name);
   }
-  return cloud_of(records, name);
+}
+
+}  // namespace
+
+CloudFile parse_pcd(std::string_view bytes, const std::string& name) {
+  Header header = read_header(bytes, name);
+  Records records = layout_of(header, name);
+  read_points(bytes.substr(header.end), header, records, name);
+  CloudFile file = cloud_of(records, name);
+  file.notes = std::move(header.notes);
+  return file;
 }
 
 std::string pcd_bytes(const CloudFile& cloud, CloudFormat format) {
@@ -189,8 +199,8 @@ std::string pcd_bytes(const CloudFile& cloud, CloudFormat format) {
     counts += " 1";
   }
   const std::string count = std::to_string(records.count);
-  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" + names + "\nSIZE" + sizes +
-                      "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + count +
+  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\n" + note_lines(cloud, "#") + "VERSION 0.7\nFIELDS" +
+                      names + "\nSIZE" + sizes + "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + count +
                       "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA ";
   return bytes + (format == CloudFormat::kAscii ? "ascii\n" + text_of(records) : "binary\n" + records.bytes);
 }

@@ -4,6 +4,7 @@
 #include "core/result.hpp"
 #include "dataset/cloud_files.hpp"
 #include "dataset/internal/records.hpp"
+#include "dataset/internal/text.hpp"
 
 namespace amiss::dataset {
 namespace {
@@ -24,6 +25,7 @@ struct Element {
 struct Header {
   enum class Format { kAscii, kLittle, kBig } format = Format::kAscii;
   std::vector<Element> elements;
+  std::vector<std::string> notes;
   std::size_t end = 0;
 };
 
@@ -40,9 +42,7 @@ Scalar scalar_of(std::string_view word, const std::string& name, int line) {
   if (word == "uint" || word == "uint32") return Scalar::kU32;
   if (word == "float" || word == "float32") return Scalar::kF32;
   if (word == "double" || word == "float64") return Scalar::kF64;
-  refuse(name, line,
-         "'" + std::string(word.substr(0, 40)) +
-             "' is no type; char, uchar, short, ushort, int, uint, float and double are");
+  refuse(name, line, "'" + shown(word) + "' is no type; char, uchar, short, ushort, int, uint, float and double are");
 }
 
 Property property_of(const std::vector<std::string_view>& words, const std::string& name, int line) {
@@ -79,7 +79,11 @@ Header read_header(std::string_view bytes, const std::string& name) {
   if (!first || *first != "ply") throw InputError(name + ": the first line of a PLY file must be 'ply'");
   while (const auto line = lines.next()) {
     const auto words = words_of(*line);
-    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+    if (words.empty() || words[0] == "obj_info") continue;
+    if (words[0] == "comment") {
+      keep_note(line->substr(line->find(words[0]) + words[0].size()), header.notes);
+      continue;
+    }
     if (words[0] == "format") {
       header.format = format_of(words, name, lines.line());
     } else if (words[0] == "element") {
@@ -93,7 +97,7 @@ Header read_header(std::string_view bytes, const std::string& name) {
       header.end = lines.position();
       return header;
     } else {
-      refuse(name, lines.line(), "'" + std::string(words[0].substr(0, 40)) + "' is no entry of a PLY header");
+      refuse(name, lines.line(), "'" + shown(words[0]) + "' is no entry of a PLY header");
     }
   }
   throw InputError(name + ": the header of a PLY file must end with 'end_header'");
@@ -111,7 +115,7 @@ class Numbers {
       const std::string_view word = take_word(rest_);
       if (word.empty()) throw InputError(name_ + ": ends before all elements are there");
       if (!append_number(word, type, bytes)) {
-        throw InputError(name_ + ": '" + std::string(word.substr(0, 40)) + "' is no number for its property");
+        throw InputError(name_ + ": '" + shown(word) + "' is no number for its property");
       }
       return;
     }
@@ -207,7 +211,7 @@ void take_faces(Numbers& numbers, const Element& element, const std::string& nam
 }  // namespace
 
 CloudFile parse_ply(std::string_view bytes, const std::string& name) {
-  const Header header = read_header(bytes, name);
+  Header header = read_header(bytes, name);
   Numbers numbers(bytes.substr(header.end), header.format, name);
   CloudFile file;
   bool vertices = false;
@@ -232,14 +236,15 @@ CloudFile parse_ply(std::string_view bytes, const std::string& name) {
     }
   }
   file.mesh.triangles = std::move(triangles);
+  file.notes = std::move(header.notes);
   return file;
 }
 
 std::string ply_bytes(const CloudFile& cloud, CloudFormat format) {
   const bool ascii = format == CloudFormat::kAscii;
   const Records records = records_of(cloud, ColourLayout::kApart, "n");
-  std::string bytes = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") +
-                      " 1.0\nelement vertex " + std::to_string(records.count) + "\n";
+  std::string bytes = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") + " 1.0\n" +
+                      note_lines(cloud, "comment") + "element vertex " + std::to_string(records.count) + "\n";
   for (const Field& field : records.fields) {
     const char* type = field.type == Scalar::kU8    ? "uchar"
                        : field.type == Scalar::kU32 ? "uint"

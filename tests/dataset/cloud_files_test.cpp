@@ -51,6 +51,34 @@ std::string why(const std::string& bytes, bool ply) {
   return "";
 }
 
+TEST(CloudFiles, NotesOfTheHeaderAreKept) {
+  CloudFile cloud = some_cloud();
+  cloud.notes = {"amiss labels: forest (forest.bin, learned)", "two\nlines"};
+  const std::vector<std::string> kept{cloud.notes[0], "two lines"};
+  for (const CloudFormat format : {CloudFormat::kAscii, CloudFormat::kBinary}) {
+    EXPECT_EQ(parse_pcd(pcd_bytes(cloud, format), "pcd").notes, kept);
+    EXPECT_EQ(parse_ply(ply_bytes(cloud, format), "ply").notes, kept);
+  }
+  EXPECT_NE(ply_bytes(cloud).find("\ncomment amiss labels: forest (forest.bin, learned)\n"), std::string::npos);
+  EXPECT_NE(pcd_bytes(cloud).find("\n# amiss labels: forest (forest.bin, learned)\n"), std::string::npos);
+  const std::string head = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3\n";
+  EXPECT_EQ(parse_pcd("# .PCD v.7\n#tight\n#\n" + head, "pcd").notes, std::vector<std::string>{"tight"});
+}
+
+TEST(CloudFiles, WhatIsNoCloudIsToldOfByItsNameAndWithoutItsBytes) {
+  const test::TemporaryFolder folder;
+  const auto said = [&](const char* name, std::string_view bytes) {
+    const auto file = folder.write(name, bytes);
+    return test::sentence_of<InputError>([&] { static_cast<void>(load_cloud(file)); }).substr(file.string().size());
+  };
+  EXPECT_EQ(said("empty.ply", ""), ": is empty; a PLY or PCD file is needed");
+  EXPECT_EQ(said("other.ply", "solid\n"), ": the first line of a PLY file must be 'ply'");
+  EXPECT_EQ(said("other.pcd",
+                 "\x7f"
+                 "ELF\x02\x01\xff\xfe\x1b[2J more\n"),
+            ":1: '\\x7fELF\\x02\\x01\\xff\\xfe\\x1b...' is no entry of a PCD header");
+}
+
 TEST(CloudFiles, RoundTripsOfAllFormats) {
   CloudFile cloud = some_cloud();
   for (const CloudFormat format : {CloudFormat::kAscii, CloudFormat::kBinary}) {

@@ -43,6 +43,11 @@ struct Records {
 enum class ColourLayout { kPacked, kApart };
 [[nodiscard]] Records records_of(const CloudFile& cloud, ColourLayout colours, std::string_view normal_prefix);
 
+/// Notes of a header as its lines, each behind the word that makes it a comment.
+[[nodiscard]] std::string note_lines(const CloudFile& cloud, const std::string& comment);
+/// Keeps what a comment says, without the word that makes it one and the blanks around.
+void keep_note(std::string_view comment, std::vector<std::string>& notes);
+
 /// The records as text, a line for each.
 [[nodiscard]] std::string text_of(const Records& records);
 

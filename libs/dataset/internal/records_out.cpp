@@ -99,4 +99,23 @@ std::string text_of(const Records& records) {
   return text;
 }
 
+std::string note_lines(const CloudFile& cloud, const std::string& comment) {
+  std::string lines;
+  for (const std::string& note : cloud.notes) {
+    lines += comment + " ";
+    // A line of a header has no line in it.
+    for (const char c : note) lines += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    lines += "\n";
+  }
+  return lines;
+}
+
+void keep_note(std::string_view comment, std::vector<std::string>& notes) {
+  constexpr std::size_t kMostNotes = 100, kLongestNote = 500;
+  const std::size_t first = comment.find_first_not_of(" \t");
+  if (first == comment.npos || notes.size() >= kMostNotes) return;
+  const std::size_t last = comment.find_last_not_of(" \t");
+  notes.emplace_back(comment.substr(first, std::min(last + 1 - first, kLongestNote)));
+}
+
 }  // namespace amiss::dataset

@@ -6,6 +6,7 @@
 
 #include "core/result.hpp"
 #include "dataset/internal/bytes.hpp"
+#include "dataset/internal/text.hpp"
 
 namespace amiss::dataset {
 namespace {
@@ -160,8 +161,7 @@ DepthImage parse_ros_packed_depth(std::string_view message, double scale, const 
   take_header(reader);
   const std::string_view format = reader.counted();
   if (!format.starts_with("16UC1;") || format.find("rvl") != std::string_view::npos) {
-    throw InputError(name + ": depth is packed as '" + std::string(format.substr(0, 40)) +
-                     "'; '16UC1; compressedDepth' (png) is allowed");
+    throw InputError(name + ": depth is packed as '" + shown(format) + "'; '16UC1; compressedDepth' (png) is allowed");
   }
   const std::string_view data = reader.counted();
   return decode_depth(std::string(data.substr(std::min(data.size(), kPackedDepthHead))), scale, name);
