@@ -1,6 +1,7 @@
 #include "dataset/camera_file.hpp"
 
 #include "core/files.hpp"
+#include "core/result.hpp"
 
 namespace amiss::dataset {
 
@@ -18,7 +19,11 @@ CameraFile load_camera(const std::filesystem::path& file) {
   CameraFile camera;
   ParamTable table;
   describe(table, camera);
-  table.load_file(file);
+  try {
+    table.load_file(file);
+  } catch (const ArgumentError& e) {
+    throw InputError(e.what());  // a file of the recording, nothing that was set on the command line
+  }
   return camera;
 }
 

@@ -1,6 +1,7 @@
 // camera.yaml: what a folder of images was taken with.
 //   camera: {width: 640, height: 480, fx: 525, fy: 525, cx: 319.5, cy: 239.5, depth_scale: 1000}
-// depth_scale: units of a 16-bit depth image for a metre. Images are rectified. Errors: as ParamTable's.
+// depth_scale: units of a 16-bit depth image for a metre. Images are rectified. Errors: InputError, in the words of
+// ParamTable.
 #pragma once
 
 #include <filesystem>

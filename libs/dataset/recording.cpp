@@ -87,9 +87,13 @@ std::unique_ptr<Recording> open_folder(const fs::path& folder, const RecordingOp
 
 std::unique_ptr<Recording> open_recording(const fs::path& path, const RecordingOptions& options) {
   if (!fs::exists(path)) throw InputError(path.string() + ": there is no such file or folder");
+  if (!options.poses.empty() && !is_tum_folder(path)) {
+    throw ArgumentError(path.string() + ": other poses than its own are taken for TUM RGB-D folders and rawlogs only");
+  }
   if (!fs::is_directory(path)) {
     if (BagFile::is_bag(path)) return open_bag(path, options);
-    throw InputError(path.string() + ": is no recording that is known; a ROS 1 bag or a folder is needed");
+    throw InputError(path.string() +
+                     ": is no recording that is known; a ROS 1 bag, an MRPT rawlog or a folder is needed");
   }
   return open_folder(path, options);
 }

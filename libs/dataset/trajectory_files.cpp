@@ -1,5 +1,6 @@
 #include "dataset/trajectory_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -11,6 +12,7 @@
 namespace amiss::dataset {
 namespace {
 
+constexpr double kMaxPoseGapS = 0.5;
 constexpr double kNotRigid = 1e-3;  // that columns of a rotation may miss length 1 and right angles
 
 /// The lines that say something, with their numbers.
@@ -111,6 +113,27 @@ Transform<Map, Camera> parse_pose_matrix(std::string_view bytes, const std::stri
   Lines lines(bytes, name);
   const Eigen::Matrix4d M = lines.matrix();
   return rigid(M, name, lines.line());
+}
+
+Eigen::Isometry3d between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double part) {
+  const Eigen::Quaterniond q_a(a.linear()), q_b(b.linear());
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = q_a.slerp(part, q_b).normalized().toRotationMatrix();
+  result.translation() = (1.0 - part) * a.translation() + part * b.translation();
+  return result;
+}
+
+std::optional<Transform<Map, Camera>> pose_at(const std::vector<StampedPose>& poses, Stamp stamp) {
+  const auto after = std::lower_bound(poses.begin(), poses.end(), stamp,
+                                      [](const StampedPose& pose, Stamp t) { return pose.stamp < t; });
+  if (after == poses.end()) return std::nullopt;
+  if (after->stamp == stamp) return after->T_map_camera;
+  if (after == poses.begin()) return std::nullopt;
+  const StampedPose& a = *(after - 1);
+  const StampedPose& b = *after;
+  const double gap_s = seconds(b.stamp - a.stamp);
+  if (gap_s > kMaxPoseGapS) return std::nullopt;
+  return Transform<Map, Camera>{between(a.T_map_camera.T, b.T_map_camera.T, seconds(stamp - a.stamp) / gap_s)};
 }
 
 }  // namespace amiss::dataset

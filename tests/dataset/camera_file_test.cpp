@@ -17,8 +17,8 @@ TEST(CameraFile, RoundTripAndUnknownKeys) {
   const CameraFile again = load_camera(folder.path() / "camera.yaml");
   EXPECT_EQ(again.intrinsics, camera.intrinsics);
   EXPECT_EQ(again.depth_scale, 5000.0);
-  EXPECT_THROW((void)load_camera(folder.write("odd.yaml", "camera: {k1: 0.3}\n")), ArgumentError);
-  EXPECT_THROW((void)load_camera(folder.write("flat.yaml", "camera: {fx: 0}\n")), ArgumentError);
+  EXPECT_THROW((void)load_camera(folder.write("odd.yaml", "camera: {k1: 0.3}\n")), InputError);
+  EXPECT_THROW((void)load_camera(folder.write("flat.yaml", "camera: {fx: 0}\n")), InputError);
 }
 
 }  // namespace

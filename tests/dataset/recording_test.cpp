@@ -82,6 +82,28 @@ TEST(Recording, SaysWhatIsWrong) {
   EXPECT_NE(why(folder.path() / "run").find("rgb.txt:1: a line must be 'time file'"), std::string::npos);
   folder.write("run/rgb.txt", "7 rgb/0.100000000.png\n");
   EXPECT_NE(why(folder.path() / "run").find("has no frame with colour, depth and a pose"), std::string::npos);
+  folder.write("run/associations.txt", "0.1 rgb/0.100000000.png 0.1 depth/0.100000000.png\n");
+  folder.write("run/depth.txt", "0.1\n");
+  EXPECT_NE(why(folder.path() / "run").find("depth.txt:1: a line must be 'time file'"), std::string::npos);
+  RecordingOptions elsewhere;
+  elsewhere.poses = "poses.txt";
+  EXPECT_THROW(static_cast<void>(open_recording(folder.path(), elsewhere)), ArgumentError);
+}
+
+TEST(Recording, ADamagedPictureIsToldOfOnce) {
+  const test::TemporaryFolder folder;
+  write_tum(folder.path() / "run", {100});
+  const std::string whole = folder.read("run/depth/0.100000000.png");
+  testing::internal::CaptureStderr();
+  for (std::size_t size = 1; size < whole.size(); ++size) {
+    folder.write("run/depth/0.100000000.png", whole.substr(0, size));
+    EXPECT_NE(why(folder.path() / "run").find("depth/0.100000000.png: is no image"), std::string::npos) << size;
+  }
+  std::string damaged = whole;
+  damaged[damaged.size() / 2] = static_cast<char>(~damaged[damaged.size() / 2]);
+  folder.write("run/depth/0.100000000.png", damaged);
+  EXPECT_NE(why(folder.path() / "run").find("depth/0.100000000.png: is no image"), std::string::npos);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "libpng has nothing to add";
 }
 
 TEST(Recording, FoldersOfOthers) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,14 +26,9 @@ struct FolderIndex {
 [[nodiscard]] bool is_open3d_folder(const std::filesystem::path& folder);
 [[nodiscard]] FolderIndex index_open3d(const std::filesystem::path& folder);
 
-/// A part of the way from a to b: 0 is a, 1 is b.
-[[nodiscard]] Eigen::Isometry3d between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double part);
 /// For each colour image the nearest depth image within 0.02 s, as pairs of indices; each is used once, as in TUM's
 /// associate.py. Both lists are sorted.
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> associated(const std::vector<Stamp>& colour,
                                                                           const std::vector<Stamp>& depth);
-
-/// The pose at the time, between its two neighbours (at most 0.5 s apart); nothing where there are none.
-[[nodiscard]] std::optional<Transform<Map, Camera>> pose_at(const std::vector<StampedPose>& poses, Stamp stamp);
 
 }  // namespace amiss::dataset

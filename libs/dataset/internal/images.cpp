@@ -1,5 +1,7 @@
 #include "dataset/internal/images.hpp"
 
+#include <zlib.h>
+
 #include <cmath>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
@@ -10,11 +12,33 @@
 namespace amiss::dataset {
 namespace {
 
+constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t kMostImageBytes = std::size_t{1} << 27U;
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = (value << 8U) | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+/// All chunks are there and undamaged: libpng prints of one that is not, in words of its own.
+bool is_whole_png(std::string_view bytes) {
+  constexpr std::size_t kAround = 12;  // length and type in front of a chunk's data, CRC behind
+  for (std::size_t at = kPng.size(); bytes.size() - at >= kAround;) {
+    const std::size_t length = big_endian(bytes, at);
+    if (bytes.size() - at - kAround < length) return false;
+    const std::string_view checked = bytes.substr(at + 4, 4 + length);
+    const auto* data = reinterpret_cast<const Bytef*>(checked.data());
+    if (crc32(0, data, static_cast<uInt>(checked.size())) != big_endian(bytes, at + 8 + length)) return false;
+    if (checked.starts_with("IEND")) return true;
+    at += kAround + length;
+  }
+  return false;
+}
 
 cv::Mat decoded(const std::string& bytes, int flags, const std::string& name) {
   const char* what = ": is no image that can be read (PNG, JPEG, PPM or PGM)";
-  if (bytes.empty()) throw InputError(name + what);
+  if (bytes.empty() || (bytes.starts_with(kPng) && !is_whole_png(bytes))) throw InputError(name + what);
   // OpenCV wants a matrix that may be written to, and only reads it.
   std::vector<uchar> copy(bytes.begin(), bytes.end());
   cv::Mat image;

@@ -9,7 +9,7 @@
 namespace amiss::dataset {
 namespace {
 
-constexpr double kMaxColourDepthS = 0.02, kMaxPoseGapS = 0.5;
+constexpr double kMaxColourDepthS = 0.02;
 
 struct StampedFile {
   Stamp stamp;
@@ -58,6 +58,10 @@ std::vector<Pair> load_pairs(const std::filesystem::path& folder, std::size_t& c
     colour_images = colour.size();
     return paired(std::move(colour), load_list(folder, "depth.txt", false));
   }
+  // The lists that they were made of are read too where they are there: a broken one is no folder to be trusted.
+  for (const char* list : {"rgb.txt", "depth.txt"}) {
+    if (std::filesystem::exists(folder / list)) (void)load_list(folder, list, false);
+  }
   const std::vector<StampedFile> files = load_list(folder, "associations.txt", true);
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i + 1 < files.size(); i += 2) pairs.push_back({files[i], files[i + 1]});
@@ -79,27 +83,6 @@ std::vector<std::pair<std::size_t, std::size_t>> associated(const std::vector<St
     ++next;
   }
   return pairs;
-}
-
-Eigen::Isometry3d between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double part) {
-  const Eigen::Quaterniond q_a(a.linear()), q_b(b.linear());
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  result.linear() = q_a.slerp(part, q_b).normalized().toRotationMatrix();
-  result.translation() = (1.0 - part) * a.translation() + part * b.translation();
-  return result;
-}
-
-std::optional<Transform<Map, Camera>> pose_at(const std::vector<StampedPose>& poses, Stamp stamp) {
-  const auto after = std::lower_bound(poses.begin(), poses.end(), stamp,
-                                      [](const StampedPose& pose, Stamp t) { return pose.stamp < t; });
-  if (after == poses.end()) return std::nullopt;
-  if (after->stamp == stamp) return after->T_map_camera;
-  if (after == poses.begin()) return std::nullopt;
-  const StampedPose& a = *(after - 1);
-  const StampedPose& b = *after;
-  const double gap_s = seconds(b.stamp - a.stamp);
-  if (gap_s > kMaxPoseGapS) return std::nullopt;
-  return Transform<Map, Camera>{between(a.T_map_camera.T, b.T_map_camera.T, seconds(stamp - a.stamp) / gap_s)};
 }
 
 bool is_tum_folder(const std::filesystem::path& folder) {
