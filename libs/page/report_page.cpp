@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -41,15 +42,28 @@ std::vector<Slice> slices_of(const Json& event) {
   return slices;
 }
 
-/// Indices of what has pictures, what is wanted most first: the last frame, examinations, frames from the end on.
+/// The last one first, and then so that any beginning of the order is spread over all.
+std::vector<std::size_t> spread(const std::vector<std::size_t>& list) {
+  std::vector<std::size_t> order;
+  std::set<std::size_t> taken;
+  for (std::size_t step = std::bit_ceil(list.size()); step > 0; step /= 2) {
+    for (std::size_t back = 0; back < list.size(); back += step) {
+      if (taken.insert(back).second) order.push_back(list[list.size() - 1 - back]);
+    }
+  }
+  return order;
+}
+
+/// Indices of what has pictures, what is wanted most first: the last frame, examinations, frames over the run.
 std::vector<std::size_t> by_worth(const std::vector<Json>& events) {
   std::vector<std::size_t> frames, order;
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (events[i]["e"] == "frame") frames.push_back(i);
     if (events[i]["e"] == "examined") order.push_back(i);
   }
-  if (!frames.empty()) order.insert(order.begin(), frames.back());
-  if (!frames.empty()) order.insert(order.end(), frames.rbegin() + 1, frames.rend());
+  const std::vector<std::size_t> over_the_run = spread(frames);
+  if (!frames.empty()) order.insert(order.begin(), over_the_run.front());
+  if (!frames.empty()) order.insert(order.end(), over_the_run.begin() + 1, over_the_run.end());
   return order;
 }
 

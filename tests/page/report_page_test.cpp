@@ -98,6 +98,7 @@ TEST(ReportPage, TheLastPicturesAndExaminationsComeFirst) {
   EXPECT_EQ(run["pictures"].size(), 1 + 2 * frames_in(run).size());
   EXPECT_LT(html.size(), kMostBytes);
   EXPECT_GT(html.size(), kMostBytes - 601'000) << "one more would have fitted";
+  EXPECT_LE(frames_in(run).front()["t"], 10) << "what is left is spread over the run";
 }
 
 TEST(ReportPage, NamesTheLibrariesBesideTheProgram) {

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kVoxelText = 8;
 
 /// How much of a map fits, in parts of what a kind of event is given.
-constexpr std::size_t kPartsForReference = 4, kPartsForMap = 2;
+constexpr std::size_t kPartsForReference = 8, kPartsForMap = 4;
 
 /// Voxels that are occupied after all events, as one event from the beginning on.
 Json merged_voxels(const std::vector<const Json*>& events) {
