@@ -1,12 +1,9 @@
 // amiss doctor: what is there of what amiss needs and can use. Status 1 when something that it needs is missing.
-#include <dlfcn.h>
 #include <fmt/format.h>
-#include <link.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <Eigen/Core>
 #include <array>
 #include <filesystem>
 #include <iostream>
@@ -16,6 +13,7 @@
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/result.hpp"
+#include "library_versions.hpp"
 #include "resources.hpp"
 #include "robot/model.hpp"
 #include "sim/renderer.hpp"
@@ -80,40 +78,6 @@ Finding place(const std::string& what, const fs::path& folder) {
 
 Finding renderer() { return {State::kGood, "OSMesa", sim::opengl_version()}; }
 
-/// The shared libraries of this process by the names that their files have: libmrpt-slam.so.2.5.8.
-std::vector<std::string> loaded_libraries() {
-  std::vector<std::string> names;
-  const auto note = [](dl_phdr_info* info, std::size_t, void* list) {
-    std::error_code error;
-    const fs::path file = fs::canonical(info->dlpi_name, error);
-    if (!error) static_cast<std::vector<std::string>*>(list)->push_back(file.filename().string());
-    return 0;
-  };
-  ::dl_iterate_phdr(note, &names);
-  return names;
-}
-
-Finding libraries() {
-  struct Wanted {
-    const char *name, *prefix;
-  };
-  constexpr std::array wanted{Wanted{"MRPT", "libmrpt-slam.so."}, Wanted{"OctoMap", "liboctomap.so."},
-                              Wanted{"PCL", "libpcl_common.so."}, Wanted{"Bullet", "libBulletDynamics-float64.so."},
-                              Wanted{"OMPL", "libompl.so."},      Wanted{"OpenCV", "libopencv_core.so."},
-                              Wanted{"sdformat", "libsdformat"}};
-  std::string text = fmt::format("Eigen {}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
-  for (const std::string& file : loaded_libraries()) {
-    for (const Wanted& w : wanted) {
-      if (file.starts_with(w.prefix)) text += fmt::format(", {} {}", w.name, file.substr(file.find(".so.") + 4));
-    }
-  }
-  using Version = const char* (*)();
-  if (const auto sqlite = reinterpret_cast<Version>(::dlsym(RTLD_DEFAULT, "sqlite3_libversion")); sqlite != nullptr) {
-    text += std::string(", SQLite ") + sqlite();
-  }
-  return {State::kGood, "libraries", text};
-}
-
 /// What a shell command writes, if it ends well.
 std::optional<std::string> output_of(const std::string& command) {
   std::string text;
@@ -138,6 +102,20 @@ Finding ffmpeg() {
   return {State::kGood, "ffmpeg", version->substr(0, version->find(" Copyright"))};
 }
 
+Finding gnuplot() {
+  const auto version = output_of("gnuplot --version");
+  if (!version) return {State::kAbsent, "gnuplot", "not installed: no figures of experiments and evaluations"};
+  return {State::kGood, "gnuplot", *version};
+}
+
+Finding parallel() {
+  const auto version = output_of("parallel --version");
+  if (!version || !version->starts_with("GNU parallel")) {  // moreutils has another program of that name
+    return {State::kAbsent, "GNU parallel", "not installed: experiments are run here or by Slurm"};
+  }
+  return {State::kGood, "GNU parallel", version->substr(0, version->find('\n'))};
+}
+
 int run() {
   const std::vector<Finding> findings{
       {State::kGood, "amiss", AMISS_VERSION ", " + fs::read_symlink("/proc/self/exe").string()},
@@ -146,8 +124,10 @@ int run() {
       examined("this folder", [] { return place("this folder", fs::current_path()); }),
       examined("cache", [] { return place("cache", cache_folder()); }),
       examined("OSMesa", renderer),
-      libraries(),
+      {State::kGood, "libraries", library_versions()},
       ffmpeg(),
+      gnuplot(),
+      parallel(),
       slurm()};
   bool good = true;
   for (const Finding& f : findings) {

@@ -76,8 +76,9 @@ TEST_F(Setup, DoctorSaysWhatIsThere) {
   const Ended ended = amiss({"doctor"});
   EXPECT_EQ(ended.status, 0) << ended.out;
   EXPECT_EQ(ended.err, "");
-  for (const char* word : {AMISS_VERSION, "cores", "worlds", "GB free", "OpenGL", "MRPT 2.", "OctoMap 1.", "PCL 1.",
-                           "Bullet 3.", "OMPL 1.", "Slurm", "amiss can run here"}) {
+  for (const char* word :
+       {AMISS_VERSION, "cores", "worlds", "GB free", "OpenGL", "MRPT 2.", "OctoMap 1.", "PCL 1.", "Bullet 3.",
+        "OMPL 1.", "ffmpeg", "gnuplot", "GNU parallel", "Slurm", "amiss can run here"}) {
     EXPECT_NE(ended.out.find(word), std::string::npos) << word << "\n" << ended.out;
   }
 }
@@ -90,6 +91,23 @@ TEST_F(Setup, DoctorIsOneWhereSomethingIsMissing) {
   EXPECT_NE(ended.out.find("BAD  data"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("nowhere"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("amiss cannot run here"), std::string::npos) << ended.out;
+}
+
+/// Of moreutils' parallel, which is another program, it must not say that it is GNU's.
+TEST_F(Setup, DoctorKnowsWhatItCanDoWithout) {
+  fs::create_directory(folder.path() / "bin");
+  folder.write("bin/parallel", "#!/bin/sh\nexit 0\n");
+  fs::create_symlink("/bin/sh", folder.path() / "bin/sh");
+  fs::permissions(folder.path() / "bin/parallel", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", (folder.path() / "bin").c_str(), 1);
+  const Ended ended = amiss({"doctor"});
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(ended.status, 0) << ended.out;
+  for (const char* line : {"-    ffmpeg       not installed", "-    gnuplot      not installed",
+                           "-    GNU parallel not installed", "-    Slurm        not installed"}) {
+    EXPECT_NE(ended.out.find(line), std::string::npos) << line << "\n" << ended.out;
+  }
 }
 
 TEST_F(Setup, WhatInitMakesRunsAsItIs) {
@@ -122,6 +140,7 @@ TEST_F(Setup, BashCompletes) {
   fs::create_directory(folder.path() / "runs1");
   EXPECT_EQ(bash_offers({"view", "runs"}), "runs1\n");
   EXPECT_EQ(bash_offers({"tidy", "--seed", ""}), "\n");
+  EXPECT_EQ(bash_offers({"completion", ""}), "bash zsh\n");
 }
 
 TEST_F(Setup, ZshCompletes) {
@@ -207,6 +226,7 @@ TEST_F(Setup, WhatIsWrongIsSaidInOneSentence) {
   EXPECT_EQ(said({"tidy", "--method", "dynamc"}),
             "amiss: --method dynamc is not allowed; did you mean 'dynamic'? Allowed: dynamic, static\n");
   EXPECT_EQ(said({"tidy", "--method=zzz"}), "amiss: --method zzz is not allowed. Allowed: dynamic, static\n");
+  EXPECT_EQ(said({"completion", "fish"}), "amiss: completion fish: there are scripts for bash and zsh\n");
   EXPECT_EQ(said({"tidy", "--world", "flat90"}),
             "amiss: --world flat90: there is no such world; did you mean 'flat_90'?\n");
   EXPECT_EQ(said({"tidy", "--set", "change.min_voxel=3"}),
