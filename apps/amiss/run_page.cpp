@@ -1,9 +1,11 @@
 #include "run_page.hpp"
 
+#include <iostream>
 #include <thread>
 
 #include "core/files.hpp"
 #include "interrupt.hpp"
+#include "library_versions.hpp"
 #include "page/report_page.hpp"
 #include "page/run_files.hpp"
 
@@ -58,7 +60,7 @@ RunPage::RunPage(const report::RunFolder& folder, const ViewOptions& options, bo
   if (!options.wanted) return;
   pace_.set_speed(options.speed);
   server_ = std::make_unique<page::Server>(options.server, page::served_files(folder.path()), history_, &pace_);
-  announce(*server_);
+  announce(*server_, options);
 }
 
 void RunPage::begin(const page::Beginning& beginning, const Watched& watched,
@@ -91,11 +93,13 @@ void RunPage::end(const std::string& report_json) {
   recorder_.end(report_json);
   const page::ReportPage report{history_.lines(),
                                 [this](page::Slice slice) { return page::load_picture(folder_.path(), slice); },
-                                {{"params.yaml", load_bytes(folder_.path() / "params.yaml")}}};
+                                {{"params.yaml", load_bytes(folder_.path() / "params.yaml")}},
+                                library_versions()};
   folder_.save("report.html", page::to_html(report));
 }
 
 void RunPage::linger() const {
+  if (server_ && server_->watchers() > 0) std::cerr << "amiss: the run is over; close its page or press Ctrl+C\n";
   while (server_ && server_->watchers() > 0 && !interrupted())
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }

@@ -1,5 +1,6 @@
 // amiss view RUN: a run folder in a browser.
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <memory>
 #include <thread>
 
@@ -17,7 +18,8 @@ void show(const std::string& folder, const ViewOptions& options) {
   page::History history;
   for (std::string& line : page::load_timeline(folder)) history.append(std::move(line));
   const page::Server server(options.server, page::served_files(folder), history, nullptr);
-  announce(server);
+  announce(server, options);
+  std::cerr << "amiss: Ctrl+C ends it" << std::endl;
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
 

@@ -38,6 +38,14 @@ int port_of(const Program& program) {
   return 0;
 }
 
+/// True when it says that on standard error within a minute.
+bool says(const Program& program, const std::string& text) {
+  for (int i = 0; i < 6000 && program.said().find(text) == std::string::npos && program.runs(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return program.said().find(text) != std::string::npos;
+}
+
 constexpr long kFlat_kb = 32 << 10;
 
 /// A thousand connections with rubbish at once, headers without end, rubbish on an open socket, and what is forbidden.
@@ -118,6 +126,7 @@ TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
     page.send(R"({"step":true})");
     page.send(R"({"pause":false})");
     seen = page.read_until("\"e\":\"end\"");
+    EXPECT_TRUE(says(program, "the run is over; close its page or press Ctrl+C\n"));
   }
   const Ended watched = program.wait();
   EXPECT_EQ(watched.status, alone.status) << watched.err;
@@ -153,6 +162,67 @@ TEST(Watch, WatchedAndPesteredARunGivesTheSameDigest) {
   const Ended gone = test::run({"video", "moved", "--out", "film.mp4"}, folder.path());
   EXPECT_NE(gone.status, 0);
   EXPECT_NE(gone.err.find("--world says where it is now"), std::string::npos) << gone.err;
+}
+
+struct ViewOf : testing::Test {
+  test::TemporaryFolder folder;
+  void SetUp() override { folder.write("timeline.jsonl", "{\"e\":\"start\",\"t\":0,\"schema\":1}\n"); }
+};
+
+TEST_F(ViewOf, APortThatIsTakenIsAnErrorOnlyWhereItWasAskedFor) {
+  const Program first({"view", "."}, folder.path());  // holds port 7474, where nobody else does
+  ASSERT_GT(port_of(first), 0);
+  const Program second({"view", "."}, folder.path());
+  const int other = port_of(second);
+  ASSERT_GT(other, 0);
+  EXPECT_NE(other, 7474);
+  EXPECT_NE(second.said().find("amiss: port 7474 is taken, so the page is at " + std::to_string(other) + "\n"),
+            std::string::npos)
+      << second.said();
+  EXPECT_EQ(test::get(other, "/").status, 200);
+  EXPECT_TRUE(says(second, "amiss: Ctrl+C ends it\n"));
+  const Ended refused = test::run({"view", ".", "--port", std::to_string(other)}, folder.path());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("--port " + std::to_string(other) + " of 127.0.0.1: Address already in use"),
+            std::string::npos)
+      << refused.err;
+}
+
+TEST_F(ViewOf, ATokenCanComeFromTheEnvironment) {
+  ::setenv("AMISS_TOKEN", "open-sesame", 1);
+  const Program program({"view", ".", "--port", "0"}, folder.path());
+  ::unsetenv("AMISS_TOKEN");
+  const int port = port_of(program);
+  ASSERT_GT(port, 0);
+  EXPECT_EQ(test::get(port, "/").status, 401);
+  EXPECT_EQ(test::get(port, "/", "Cookie: amiss_token=open-sesame\r\n").status, 200);
+  EXPECT_NE(test::run({"view", "--help"}, folder.path()).out.find("AMISS_TOKEN"), std::string::npos);
+}
+
+/// A browser that takes its time and talks: nobody waits for it, and it gets none of the program's files.
+TEST(Watch, ABrowserIsOpenedAndLeftAlone) {
+  if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script is not installed: no terminal";
+  const test::TemporaryFolder folder;
+  const std::string here = folder.path().string();
+  folder.write("xdg-open",
+               "#!/bin/sh\necho noise\necho noise >&2\ncd '" + here +
+                   "'\nls -l /proc/$$/fd >files\necho $$ >child\nprintf %s \"$1\" >opened\nexec sleep 600\n");
+  std::filesystem::permissions(folder.path() / "xdg-open", std::filesystem::perms::owner_all);
+  test::use_test_cache();
+  std::string words;
+  for (const std::string& word : with(kRun, {"--out", "run", "--view", "--port", "0"})) words += " " + word;
+  const std::string call = "cd '" + here + "' && DISPLAY=:99 PATH='" + here + "':\"$PATH\" timeout 300 script -qec '" +
+                           AMISS_PROGRAM + words + " >out' said </dev/null >/dev/null";
+  const int status = std::system(call.c_str());
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) <= 1) << folder.read("said");
+  EXPECT_EQ(std::system(("kill " + folder.read("child")).c_str()), 0) << "it was still there";
+  EXPECT_EQ(json::parse(folder.read("out"))["seed"], 7) << "report.json and nothing else";
+  const std::string said = folder.read("said"), files = folder.read("files");
+  EXPECT_NE(said.find("watch at " + folder.read("opened")), std::string::npos) << said;
+  EXPECT_EQ(said.find("noise"), std::string::npos);
+  EXPECT_EQ(files.find("socket:"), std::string::npos) << files;
+  EXPECT_EQ(files.find("timeline"), std::string::npos) << files;
+  EXPECT_NE(files.find("0 -> /dev/null"), std::string::npos) << files;
 }
 
 TEST(Watch, RefusesWhatItCannotShow) {
