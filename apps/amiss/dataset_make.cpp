@@ -111,8 +111,7 @@ int make_dataset(const DatasetOptions& options) {
   if (status == kGoalMet) status = Work(options, jobs.visits(plans), "visits").run();
   if (status != kGoalMet) return status;
   const std::string summary = jobs.summary(plans);
-  save_atomically(fs::path(options.out) / "report.html",
-                  dataset_page(summary, settings.table().to_yaml(), jobs.recordings(plans)));
+  save_dataset_report(options.out, summary, settings.table().to_yaml(), jobs.recordings(plans));
   if (!options.quiet) std::cout << summary << " in " << options.out << "/recordings\n";
   return kGoalMet;
 }

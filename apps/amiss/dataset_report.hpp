@@ -1,4 +1,4 @@
-// report.html of a data set: its visits as they were recorded, and a picture from each.
+// report.html of a data set: its visits as they were recorded, figures of them, and a picture from each.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,9 @@
 
 namespace amiss::app {
 
-/// `recordings`: folders with recording.json and rgb.txt. InputError for one that cannot be read.
-[[nodiscard]] std::string dataset_page(const std::string& summary, const std::string& parameters,
-                                       const std::vector<std::filesystem::path>& recordings);
+/// Writes report.html and figures/ into `folder`. `recordings`: folders with recording.json, rgb/ and truth/.
+/// InputError for one that cannot be read.
+void save_dataset_report(const std::filesystem::path& folder, const std::string& summary, const std::string& parameters,
+                         const std::vector<std::filesystem::path>& recordings);
 
 }  // namespace amiss::app

@@ -6,15 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
+#include "evaluate_figure.hpp"
 #include "experiment/table_markup.hpp"
+#include "library_versions.hpp"
+#include "report_figure.hpp"
 
 namespace amiss::app {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr const char* kAverage = "average";  // of score::table52
 
 std::vector<score::NovelRow> rows_of(const JudgedRooms& judged) {
   std::vector<score::NovelTrial> trials;
@@ -45,12 +46,12 @@ experiment::Table table_of(const std::vector<JudgedRooms>& judged) {
   std::vector<std::string> rooms;
   for (const JudgedRooms& one : judged) {
     for (const score::NovelRow& row : rows.emplace_back(rows_of(one))) {
-      if (row.room != kAverage && std::find(rooms.begin(), rooms.end(), row.room) == rooms.end()) {
+      if (row.room != kAverageRoom && std::find(rooms.begin(), rooms.end(), row.room) == rooms.end()) {
         rooms.push_back(row.room);
       }
     }
   }
-  rooms.emplace_back(kAverage);
+  rooms.emplace_back(kAverageRoom);
   for (const std::string& room : rooms) {
     for (std::size_t i = 0; i < judged.size(); ++i) {
       for (const score::NovelRow& row : rows[i]) {
@@ -114,12 +115,8 @@ std::string report_of(const std::vector<JudgedRooms>& judged, const std::string&
   return report.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// The table, and what the last method (the thesis' own) found on each visit.
-std::string page_of(const std::string& title, const SavedTable& saved, const std::vector<JudgedRooms>& judged,
-                    const std::string& parameters) {
-  report::Document page(title);
-  for (const std::string& sentence : saved.sentences) page.paragraph(sentence);
-  experiment::add_grouped(page, saved.table);
+/// What the last method (the thesis' own) found on each visit.
+void add_visits(report::Document& page, const std::vector<JudgedRooms>& judged) {
   page.heading("Visits");
   for (const JudgedRooms& one : judged) {
     const std::string method = one.results.back().trial.method;
@@ -133,8 +130,19 @@ std::string page_of(const std::string& title, const SavedTable& saved, const std
     }
     page.end_details();
   }
+}
+
+/// Table, figure, visits; the figure's files into `out`.
+std::string page_of(const SavedTable& saved, const std::vector<JudgedRooms>& judged, const std::string& parameters,
+                    const std::string& stem, const std::filesystem::path& out) {
+  report::Document page(saved.title);
+  for (const std::string& sentence : saved.sentences) page.paragraph(sentence);
+  experiment::add_grouped(page, saved.table);
+  add_figure(page, averages_figure(saved.table, stem + "_averages"), out);
+  add_visits(page, judged);
   page.heading("Parameters and versions");
-  page.begin_details("amiss " AMISS_VERSION ", parameters");
+  page.paragraph("amiss " AMISS_VERSION "; " + library_versions());
+  page.begin_details("parameters");
   page.preformatted(parameters);
   page.end_details();
   return page.to_html();
@@ -144,12 +152,12 @@ std::string page_of(const std::string& title, const SavedTable& saved, const std
 
 SavedTable save_tables(const std::vector<JudgedRooms>& judged, const DetectSettings& settings, const std::string& stem,
                        const std::filesystem::path& out) {
-  const SavedTable saved{sentences_of(judged), table_of(judged)};
   const std::string title = judged.front().reconstruction.empty()
                                 ? "Novel objects: Table 5.2"
                                 : "Novel objects by methods of reconstruction (5.3.6)";
+  const SavedTable saved{title, sentences_of(judged), table_of(judged)};
   save_atomically(out / "params.yaml", settings.as_yaml());
-  save_atomically(out / "report.html", page_of(title, saved, judged, settings.as_yaml()));
+  save_atomically(out / "report.html", page_of(saved, judged, settings.as_yaml(), stem, out));
   save_atomically(out / (stem + ".tsv"), experiment::to_tsv(saved.table));
   save_atomically(out / (stem + ".md"),
                   fmt::format("{}\n\n{}", fmt::join(saved.sentences, "\n\n"), experiment::to_markdown(saved.table)));
