@@ -3,8 +3,8 @@
 // of the way there than fits: poses thinned to kMostPoses, events of a kind that takes more than kMostOfAKind bytes to
 // what fits, evenly over time and the last one always (the voxels of the map to what is occupied at the end, marked
 // "merged"), and into the room that is left pictures: the last frame, examinations, up to kMostFrames spread over the
-// run. Where too little room is left for pictures, every kind is given half as much until it is enough; maps that do not
-// fit then lose their upper layers, and a log event says so. InputError for lines that are no timeline.
+// run. Where too little room is left for pictures, every kind is given half as much until it is enough; maps that do
+// not fit then lose their upper layers, and a log event says so. InputError for lines that are no timeline.
 #pragma once
 
 #include <functional>
