@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <memory>
 
 #include "commands.hpp"
@@ -46,7 +47,7 @@ void add_annotate(CLI::App& dataset, int& exit_status) {
   annotate->add_option("--poses", a->poses, "TUM trajectory that the cloud was made with [estimated.txt]")
       ->type_name("FILE");
   annotate->callback([a, &exit_status] {
-    annotate_cloud(a->recording, a->cloud, a->out, a->poses);
+    std::cout << annotate_cloud(a->recording, a->cloud, a->out, a->poses);
     exit_status = kGoalMet;
   });
 }

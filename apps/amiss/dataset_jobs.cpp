@@ -144,6 +144,22 @@ std::vector<std::filesystem::path> DatasetJobs::recordings(const std::vector<wor
   return folders;
 }
 
+std::vector<std::string> DatasetJobs::shortfalls(const std::vector<world::RoomPlan>& plans) const {
+  const world::Catalogue catalogue = world::load_catalogue({resources_.objects}, settings_.run.world);
+  std::vector<std::string> told;
+  for (const world::RoomPlan& plan : plans) {
+    for (std::size_t k = 0; k < plan.objects.size(); ++k) {
+      const fs::path placed = placement(plan.world, k + 1) / "objects.yaml";
+      if (!fs::exists(placed)) continue;  // of a run that was stopped, or only recordings were kept
+      const std::size_t there = sim::load_scatter(placed, catalogue).size();
+      if (there >= static_cast<std::size_t>(plan.objects[k])) continue;
+      told.push_back(
+          fmt::format("{}/{}: {} of {} objects found a place", plan.world, scene_name(k + 1), there, plan.objects[k]));
+    }
+  }
+  return told;
+}
+
 std::string DatasetJobs::summary(const std::vector<world::RoomPlan>& plans) const {
   const world::Catalogue catalogue = world::load_catalogue({resources_.objects}, settings_.run.world);
   const auto folders = recordings(plans);

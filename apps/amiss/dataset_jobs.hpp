@@ -22,6 +22,8 @@ class DatasetJobs {
   [[nodiscard]] int run(const std::string& job) const;
   /// The folders of all recordings of these rooms.
   [[nodiscard]] std::vector<std::filesystem::path> recordings(const std::vector<world::RoomPlan>& plans) const;
+  /// "big_room/scene5: 4 of 15 objects found a place" of each visit that has fewer than it should.
+  [[nodiscard]] std::vector<std::string> shortfalls(const std::vector<world::RoomPlan>& plans) const;
   /// "31 recordings with 260 objects"
   [[nodiscard]] std::string summary(const std::vector<world::RoomPlan>& plans) const;
 

@@ -108,6 +108,7 @@ int make_dataset(const DatasetOptions& options) {
   const auto plans = chosen_rooms(find_resources(), options.rooms, options.visits);
   claim(options.out, options, settings);
   int status = Work(options, jobs.preparations(plans), "maps and placements").run();
+  for (const std::string& shortfall : jobs.shortfalls(plans)) std::cerr << "amiss: " << shortfall << "\n";
   if (status == kGoalMet) status = Work(options, jobs.visits(plans), "visits").run();
   if (status != kGoalMet) return status;
   const std::string summary = jobs.summary(plans);

@@ -2,9 +2,23 @@
 
 #include <algorithm>
 
+#include "core/result.hpp"
 #include "dataset/instance_votes.hpp"
+#include "dataset/internal/text.hpp"
 
 namespace amiss::dataset {
+
+std::vector<std::string> GroundTruth::placed() const {
+  std::vector<std::string> names;
+  for (const Instance& instance : instances) {
+    if (!instance.kind.empty()) names.push_back(instance.name);
+  }
+  return names;
+}
+
+std::size_t GroundTruth::seen() const {
+  return of_point.size() - static_cast<std::size_t>(std::count(of_point.begin(), of_point.end(), 0));
+}
 
 std::vector<AnnotatedObject> GroundTruth::objects() const {
   std::vector<AnnotatedObject> objects;
@@ -43,7 +57,13 @@ GroundTruth ground_truth_of(const Cloud<Map>& cloud, const std::filesystem::path
   InstanceVotes votes(cloud.points);
   for (std::size_t i = 0; i < frames->size(); i += std::max<std::size_t>(1, every)) {
     const PosedFrame frame = frames->load(i);
-    if (const auto numbers = images.load(frame.frame.stamp)) votes.add(frame, *numbers);
+    const auto numbers = images.load(frame.frame.stamp);
+    if (!numbers) {
+      throw InputError((recording / "truth" / "instances.txt").string() + ": lists " + std::to_string(images.size()) +
+                       " images and none for the frame of " + text_of(frame.frame.stamp) +
+                       " s; one for each of the recording's frames is needed");
+    }
+    votes.add(frame, *numbers);
   }
   truth.of_point = votes.numbers();
   return truth;

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <fstream>
+
 #include "core/result.hpp"
+#include "core/temporary_folder.hpp"
 #include "dataset/tum_writer.hpp"
 
 namespace amiss::dataset {
@@ -37,10 +40,17 @@ TEST(GroundTruthTest, PointsOfARecordingGetTheirBodiesObjectsAndClasses) {
   EXPECT_EQ(objects[0].name, "mug");
   EXPECT_EQ(objects[0].points, (std::vector<std::uint32_t>{1, 3}));
   EXPECT_EQ(objects[0].on_floor, true);
+  EXPECT_EQ(truth.placed(), (std::vector<std::string>{"mug", "bowl"}));
+  EXPECT_EQ(truth.seen(), 3U);
   const CloudFile labelled = truth.labelled(cloud);
   EXPECT_EQ(labelled.field("label")->values, (std::vector<double>{1, 40, 0, 40}));
   EXPECT_EQ(labelled.field("instance")->values, (std::vector<double>{2, 5, 0, 5}));
 
+  std::ofstream(folder / "truth" / "instances.txt") << "# timestamp filename\n";
+  EXPECT_NE(test::sentence_of<InputError>([&] {
+              static_cast<void>(ground_truth_of(cloud, folder));
+            }).find("instances.txt: lists 0 images and none for the frame of 1.000000000 s"),
+            std::string::npos);
   std::filesystem::remove(folder / "truth" / "instances.tsv");
   EXPECT_THROW(static_cast<void>(ground_truth_of(cloud, folder)), InputError);
   std::filesystem::remove_all(folder);
