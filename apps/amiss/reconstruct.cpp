@@ -9,13 +9,14 @@
 #include "core/result.hpp"
 #include "interrupt.hpp"
 #include "progress_line.hpp"
+#include "reconstruct_recording.hpp"
 #include "reconstruct_run.hpp"
 
 namespace amiss::app {
 namespace {
 
 struct Arguments {
-  std::string recording, out, method, params_file, colour_topic, depth_topic, map_frame = "map";
+  std::string recording, out, method, params_file, poses, colour_topic, depth_topic, map_frame = "map";
   std::vector<std::string> overrides;
   std::vector<double> intrinsics;
   double voxel_m = 0.0, depth_scale = 0.0;
@@ -36,20 +37,14 @@ mapping::ReconstructionParams params_of(const Arguments& a, std::string* as_yaml
   return params;
 }
 
-dataset::RecordingOptions camera_of(const Arguments& a) {
+dataset::RecordingOptions options_of(const Arguments& a) {
   dataset::RecordingOptions options;
-  if (!a.intrinsics.empty()) {
-    CameraIntrinsics camera;
-    camera.fx = a.intrinsics[0];
-    camera.fy = a.intrinsics[1];
-    camera.cx = a.intrinsics[2];
-    camera.cy = a.intrinsics[3];
-    options.intrinsics = camera;
-  }
+  options.intrinsics = intrinsics_of(a.intrinsics);
   if (a.depth_scale != 0.0) options.depth_scale = a.depth_scale;
   options.colour_topic = a.colour_topic;
   options.depth_topic = a.depth_topic;
   options.map_frame = a.map_frame;
+  options.poses = a.poses;
   return options;
 }
 
@@ -68,7 +63,7 @@ int run(const Arguments& a) {
     std::cout << as_yaml;
     return kGoalMet;
   }
-  const auto recording = dataset::open_recording(a.recording, camera_of(a));
+  const auto recording = open_any_recording(a.recording, options_of(a));
   (void)mapping::make_reconstructor(params);  // refuses wrong parameters before a folder is made
   const report::RunFolder folder(a.out.empty() ? report::unused_folder("runs", "reconstruct-" + stem_of(a.recording))
                                                : std::filesystem::path(a.out));
@@ -92,7 +87,9 @@ int run(const Arguments& a) {
 void add_reconstruct_command(CLI::App& app, int& exit_status) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* const command = app.add_subcommand("reconstruct", "points, triangles and seen space of a recorded room");
-  command->add_option("RECORDING", a->recording, "folder of a recording (TUM RGB-D, 7-Scenes or Open3D) or a ROS 1 bag")
+  command
+      ->add_option("RECORDING", a->recording,
+                   "folder of a recording (TUM RGB-D, 7-Scenes or Open3D), ROS 1 bag or MRPT rawlog")
       ->type_name("FILE")
       ->required();
   command->add_option("--out", a->out, "folder to write [runs/reconstruct-RECORDING]")->type_name("DIR");
@@ -110,6 +107,8 @@ void add_reconstruct_command(CLI::App& app, int& exit_status) {
   command->add_option("--colour-topic", a->colour_topic, "of a bag [the HSR's, else the only one]");
   command->add_option("--depth-topic", a->depth_topic, "of a bag [the HSR's, else the only one]");
   command->add_option("--map-frame", a->map_frame, "of a bag: the frame of its poses")->capture_default_str();
+  command->add_option("--poses", a->poses, "of a TUM folder or a rawlog: another TUM trajectory of the camera")
+      ->type_name("FILE");
   command->add_option("--params", a->params_file, "YAML file of parameters")->type_name("FILE");
   command->add_option("--set", a->overrides, "key=value, overrides a parameter; may be repeated");
   command->add_flag("--print-params", a->print_params, "print all parameters as YAML and end");

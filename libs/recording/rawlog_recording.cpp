@@ -54,11 +54,12 @@ void RawlogRecording::keep(RawlogObject& object) {
 }
 
 void RawlogRecording::keep_frame(const RawlogFrame& frame, const std::vector<std::uint32_t>& rest) {
-  if (rest.size() != frame.depth_mm.size()) throw InputError("holds another number of pixels than its image");
+  if (rest.size() != frame.depth.size()) throw InputError("holds another number of pixels than its image");
+  if (frame.depth_unit_m != internal::kDepthUnitM) throw InputError("its image is not in millimetres");
   frame_.emplace().intrinsics = frame.camera;
   frame_->depth_m.resize(rest.size());
   for (std::size_t i = 0; i < rest.size(); ++i) {
-    frame_->depth_m[i] = internal::exact_depth(frame.depth_mm[i], rest[i]);
+    frame_->depth_m[i] = internal::exact_depth(frame.depth[i], rest[i]);
   }
 }
 

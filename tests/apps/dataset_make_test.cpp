@@ -4,9 +4,11 @@
 #include <mrpt/obs/CRawlog.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "apps/program.hpp"
 #include "core/files.hpp"
@@ -14,6 +16,7 @@
 #include "dataset/full_room.hpp"
 #include "dataset/recording.hpp"
 #include "dataset/trajectory_files.hpp"
+#include "world/room_plan.hpp"
 
 namespace amiss {
 namespace {
@@ -97,6 +100,32 @@ TEST_F(Dataset, TheSameSeedGivesTheSameBytesAndWhatIsThereIsNotMadeAgain) {
   for (const auto& [name, bytes] : before) EXPECT_TRUE(after.contains(name) && after.at(name) == bytes) << name;
 }
 
+TEST_F(Dataset, AVisitWithFewerObjectsThanAskedForIsToldOf) {
+  const fs::path placed = folder->path() / "data" / "placements" / "office_desk" / "scene2" / "objects.yaml";
+  const std::string all = load_bytes(placed);
+  save_atomically(placed, all.substr(0, all.rfind("- {")));
+  const Ended again = make(folder->path(), "data", {"--quiet"});
+  save_atomically(placed, all);
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(again.err, "amiss: office_desk/scene2: 2 of 3 objects found a place\n");
+}
+
+/// Of the whole data set as it is made without any options.
+TEST(Placements, EveryVisitHasTheObjectsThatItShould) {
+  const test::TemporaryFolder folder;
+  for (const world::RoomPlan& plan :
+       world::load_room_plans(fs::path(AMISS_SOURCE_DIR) / "sim_worlds" / "dataset.yaml")) {
+    const std::string job = "place/" + plan.world + "/" + std::to_string(plan.objects.size());
+    const Ended ended = test::run({"dataset", "make", "--out", "data", "--child", job}, folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    for (std::size_t k = 0; k < plan.objects.size(); ++k) {
+      const std::string scene = plan.world + "/scene" + std::to_string(k + 2);
+      const std::string placed = folder.read("data/placements/" + scene + "/objects.yaml");
+      EXPECT_EQ(std::count(placed.begin(), placed.end(), '{'), plan.objects[k]) << scene;
+    }
+  }
+}
+
 TEST_F(Dataset, AnotherDataSetIsNotMixedIn) {
   const Ended other = make(folder->path(), "data", {"--seed", "2"});
   EXPECT_EQ(other.status, 2);
@@ -153,6 +182,9 @@ TEST_F(Dataset, AReconstructionIsAnnotatedInTheLayoutOfFullRooms) {
   const Ended ended =
       test::run({"dataset", "annotate", scene("scene2").string(), "made.ply", "--out", "rooms"}, folder->path());
   ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_TRUE(ended.out.starts_with("3 of 3 placed objects have points") ||
+              ended.out.find(" of 3 placed objects have points; without: ") == 1U)
+      << ended.out;
   const fs::path room = folder->path() / "rooms" / "office_desk";
   EXPECT_EQ(dataset::load_cloud(room / "scene2.pcd").cloud().points.size(), cloud.cloud().points.size());
   const fs::path anno = room / "Annotations" / "scene2_GT.anno";
@@ -165,6 +197,52 @@ TEST_F(Dataset, AReconstructionIsAnnotatedInTheLayoutOfFullRooms) {
   }
   const Ended none = test::run({"dataset", "annotate", ".", "made.ply", "--out", "rooms"}, folder->path());
   EXPECT_EQ(none.status, 3);
+  for (Eigen::Vector3f& p : cloud.mesh.vertices.points) p.x() += 30.0F;  // of another place
+  dataset::save_cloud(folder->path() / "far.ply", cloud);
+  const Ended far =
+      test::run({"dataset", "annotate", scene("scene2").string(), "far.ply", "--out", "others"}, folder->path());
+  EXPECT_EQ(far.status, 3);
+  EXPECT_NE(far.err.find("far.ply: 0 of its "), std::string::npos) << far.err;
+  EXPECT_FALSE(fs::exists(folder->path() / "others"));
+}
+
+/// Points of `some` with a point of `all` no further away than the edge of a voxel.
+double part_near(const Cloud<Map>& some, const Cloud<Map>& all, double edge_m) {
+  const auto cell_of = [&](const Eigen::Vector3f& p) {
+    const Eigen::Vector3d cell = (p.cast<double>() / edge_m).array().floor();
+    return std::array{static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z())};
+  };
+  std::set<std::array<int, 3>> cells;
+  for (const Eigen::Vector3f& p : all.points) {
+    const auto [x, y, z] = cell_of(p);
+    for (int i = 0; i < 27; ++i) cells.insert({x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1});
+  }
+  const auto near = std::count_if(some.points.begin(), some.points.end(),
+                                  [&](const Eigen::Vector3f& p) { return cells.contains(cell_of(p)); });
+  return static_cast<double>(near) / static_cast<double>(some.points.size());
+}
+
+TEST_F(Dataset, TheRawlogOfAVisitGivesTheReconstructionOfItsFolder) {
+  const auto reconstructed = [&](const fs::path& recording, const std::string& out, std::vector<std::string> more) {
+    std::vector<std::string> words{"reconstruct", recording.string(), "--out", out, "--voxel", "0.02"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ended ended = test::run(words, folder->path());
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    return dataset::load_cloud(folder->path() / out / "cloud.ply").cloud();
+  };
+  const fs::path rawlog = scene("scene2") / "recording.rawlog";
+  const Cloud<Map> of_folder = reconstructed(scene("scene2"), "of_folder", {});
+  const Cloud<Map> same_poses =
+      reconstructed(rawlog, "same_poses", {"--poses", (scene("scene2") / "estimated.txt").string()});
+  EXPECT_GT(part_near(same_poses, of_folder, 0.01), 0.98);
+  EXPECT_GT(part_near(of_folder, same_poses, 0.01), 0.98);
+  const json report = json::parse(folder->read("same_poses/report.json"));
+  EXPECT_EQ(report["format"], "MRPT rawlog");
+  EXPECT_EQ(report["frames"], json::parse(folder->read("of_folder/report.json"))["frames"]);
+  // Odometry drifts by centimetres, and its floor is that of the wheels.
+  const Cloud<Map> own_poses = reconstructed(rawlog, "own_poses", {});
+  EXPECT_GT(part_near(own_poses, of_folder, 0.05), 0.95);
+  EXPECT_GT(part_near(of_folder, own_poses, 0.05), 0.95);
 }
 
 }  // namespace

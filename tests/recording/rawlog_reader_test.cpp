@@ -30,14 +30,25 @@ TEST(RawlogReader, ReadsScansAndFramesThatMrptWrote) {
   const auto all = objects(reader);
   EXPECT_TRUE(reader.complete());
   ASSERT_EQ(all.size(), 5U);
-  EXPECT_TRUE(std::holds_alternative<RawlogOdometry>(all[0]));
+  const auto& odometry = std::get<RawlogOdometry>(all[0]);
+  EXPECT_EQ(odometry.stamp, Stamp(std::chrono::milliseconds(100)));
+  EXPECT_EQ(odometry.T_odom_base.x_m, 0.1);
+  EXPECT_NEAR(odometry.T_odom_base.yaw_rad, 0.3, 1e-12);
   const auto& scan = std::get<RawlogScan>(all[1]);
   ASSERT_EQ(scan.ranges_m.size(), 3U);
   EXPECT_EQ(scan.ranges_m[0], 1.0F / 3.0F);
   EXPECT_TRUE(std::isnan(scan.ranges_m[1]));
   const auto& frame = std::get<RawlogFrame>(all[4]);
   EXPECT_EQ(frame.camera, (CameraIntrinsics{4, 2, 5.125, 5.0, 1.5, 0.5}));
-  EXPECT_EQ(frame.depth_mm, (std::vector<std::uint16_t>{1234, 0, 133, 65000, 0, 0, 0, 0}));
+  EXPECT_EQ(frame.stamp, Stamp(std::chrono::milliseconds(200)));
+  EXPECT_EQ(frame.depth_unit_m, 0.001F);
+  EXPECT_FALSE(frame.along_rays);
+  const Transform<Base, Camera> T_base_camera = test::rawlog_observation(2).frame->T_base_camera;
+  EXPECT_TRUE(frame.T_base_camera.T.isApprox(T_base_camera.T, 1e-12)) << frame.T_base_camera.T.matrix();
+  EXPECT_TRUE(frame.T_camera_colour.isApprox(Eigen::Isometry3d::Identity(), 1e-12)) << "one camera";
+  ASSERT_TRUE(frame.colour);
+  EXPECT_TRUE(frame.colour->is_jpeg);
+  EXPECT_EQ(frame.depth, (std::vector<std::uint16_t>{1234, 0, 133, 65000, 0, 0, 0, 0}));
 }
 
 TEST(RawlogReader, ReadsDataByItsName) {
@@ -76,6 +87,8 @@ TEST(RawlogReader, SaysWhatIsWrong) {
   other.replace(other.find("Odometry"), 8, "Odometer");
   EXPECT_NE(why(folder.write("c", other)).find("a mrpt::obs::CObservationOdometer of version 2 is not read"),
             std::string::npos);
+  const std::string old = "\x8d" + std::string("CSensoryFrame\2");
+  EXPECT_NE(why(folder.write("f", old)).find("a CSensoryFrame of version 2 is not read"), std::string::npos);
   std::string longer = whole;
   longer[longer.find("CImage") + 6] = 8;
   EXPECT_NE(why(folder.write("d", longer)).find("has no mrpt::img::CImage where it should"), std::string::npos);
