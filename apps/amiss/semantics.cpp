@@ -144,7 +144,13 @@ void add_label(CLI::App* command, int& exit_status) {
   command->add_option("--network", arguments->network, "YAML that describes a 2D network in ONNX, with --recording")
       ->type_name("FILE");
   command->add_option("--recording", arguments->recording, "what CLOUD was made of: images, depth and poses")
-      ->type_name("DIR");
+      ->type_name("FILE");
+  command->add_option("--intrinsics", arguments->intrinsics, "FX,FY,CX,CY of the recording's camera in pixels")
+      ->delimiter(',')
+      ->expected(4)
+      ->check(CLI::Range(0.0, 1e5));
+  command->add_option("--depth-scale", arguments->depth_scale, "units of the recording's depth images for a metre")
+      ->check(CLI::Range(1.0, 1e6));
   command->add_option("--truth", arguments->truth,
                       "cloud with the true classes as `label`: not learned, for ablations");
   command->add_option("--confusion", arguments->confusion, "TSV of `evaluate --confusion`, with --truth")

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "core/result.hpp"
 #include "dataset/cloud_files.hpp"
-#include "dataset/recording.hpp"
+#include "reconstruct_recording.hpp"
 #include "resources.hpp"
 #include "semantics/forest_labeller.hpp"
 #include "semantics/onnx_labeller.hpp"
@@ -16,9 +17,16 @@ namespace amiss::app {
 
 namespace {
 
+constexpr std::string_view kLabelsNote = "amiss labels: ";
+
+bool tells_labeller(const std::string& note) { return note.starts_with(kLabelsNote); }
+
 std::unique_ptr<semantics::SemanticLabeller> of_network(const LabelArguments& arguments) {
   auto labeller = std::make_unique<semantics::OnnxLabeller>(semantics::load_image_network(arguments.network));
-  const auto recording = dataset::open_recording(arguments.recording);
+  dataset::RecordingOptions options;
+  options.intrinsics = intrinsics_of(arguments.intrinsics);
+  if (arguments.depth_scale != 0.0) options.depth_scale = arguments.depth_scale;
+  const auto recording = open_any_recording(arguments.recording, options);
   for (std::size_t i = 0; i < recording->size(); ++i) {
     const dataset::PosedFrame posed = recording->load(i);
     labeller->look(posed.frame, posed.T_map_camera);
@@ -43,6 +51,11 @@ semantics::RenderedLabeller::Truth load_truth(const std::string& file) {
 
 }  // namespace
 
+std::string told_labeller(const dataset::CloudFile& cloud) {
+  const auto told = std::find_if(cloud.notes.begin(), cloud.notes.end(), tells_labeller);
+  return told == cloud.notes.end() ? "" : told->substr(kLabelsNote.size());
+}
+
 std::string forest_file(const std::string& chosen) {
   return chosen.empty() ? (find_resources().objects.parent_path() / "semantics" / "forest.bin").string() : chosen;
 }
@@ -52,6 +65,9 @@ std::unique_ptr<semantics::SemanticLabeller> make_labeller(const LabelArguments&
   if (chosen > 1) throw ArgumentError("one of --model, --network and --truth is allowed");
   if (arguments.network.empty() != arguments.recording.empty()) {
     throw ArgumentError("--network and --recording belong together: a network looks at the recording's images");
+  }
+  if (arguments.recording.empty() && (!arguments.intrinsics.empty() || arguments.depth_scale != 0.0)) {
+    throw ArgumentError("--intrinsics and --depth-scale are of the --recording");
   }
   if (!arguments.confusion.empty() && arguments.truth.empty()) throw ArgumentError("--confusion needs --truth");
   semantics::ForestLabellerParams forest;
@@ -79,6 +95,8 @@ void label_cloud(const LabelArguments& arguments) {
   dataset::ScalarField& field = cloud.fields.emplace_back();
   field.name = "label";
   for (const SemanticClass value : classes) field.values.push_back(static_cast<double>(value));
+  std::erase_if(cloud.notes, tells_labeller);
+  cloud.notes.push_back(std::string(kLabelsNote) + labeller->identity().to_line());
   dataset::save_cloud(arguments.out, cloud);
   std::cerr << fmt::format("amiss: {} points labelled by {}\n", classes.size(), labeller->identity().to_line());
 }

@@ -59,7 +59,9 @@ TEST(Semantics, TheForestThatComesWithItKnowsAFloor) {
   const Ended ended = run_semantics(folder.path(), {"label", "cloud.ply", "--out", "labelled.ply"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.err.find("10000 points labelled by forest (forest.bin, learned)"), std::string::npos) << ended.err;
-  EXPECT_GT(count(dataset::load_cloud(folder.path() / "labelled.ply"), SemanticClass::kFloor), 9000U);
+  const dataset::CloudFile labelled = dataset::load_cloud(folder.path() / "labelled.ply");
+  EXPECT_GT(count(labelled, SemanticClass::kFloor), 9000U);
+  EXPECT_EQ(labelled.notes, std::vector<std::string>{"amiss labels: forest (forest.bin, learned)"});
 }
 
 TEST(Semantics, TheTruthIsMarkedAsNotLearned) {
@@ -72,6 +74,12 @@ TEST(Semantics, TheTruthIsMarkedAsNotLearned) {
   const dataset::CloudFile labelled = dataset::load_cloud(folder.path() / "labelled.pcd");
   EXPECT_EQ(count(labelled, SemanticClass::kFloor), 5000U);
   EXPECT_EQ(count(labelled, SemanticClass::kTable), 5000U);
+  const std::vector<std::string> note{"amiss labels: rendered (the simulator's own classes, spoiled, not learned)"};
+  EXPECT_EQ(labelled.notes, note);
+  // Labelled once more, it says who did it last.
+  ASSERT_EQ(run_semantics(folder.path(), {"label", "labelled.pcd", "--out", "again.ply"}).status, 0);
+  EXPECT_EQ(dataset::load_cloud(folder.path() / "again.ply").notes,
+            std::vector<std::string>{"amiss labels: forest (forest.bin, learned)"});
 }
 
 TEST(Semantics, BadInputIsOneSentence) {
@@ -91,6 +99,7 @@ TEST(Semantics, BadInputIsOneSentence) {
   fails({"--model", "none.bin"}, 3, "none.bin");
   fails({"--network", "bad.yaml", "--recording", "."}, 3, "bad.bin: this is no ONNX network");
   fails({"--network", "bad.yaml"}, 2, "--recording");
+  fails({"--intrinsics", "500,500,320,240"}, 2, "--intrinsics and --depth-scale");
   fails({"--model", "bad.bin", "--truth", "cloud.ply"}, 2, "one of --model, --network and --truth");
   fails({"--set", "semantics.forest.round=3"}, 2, "semantics.forest.rounds");
 }
