@@ -30,8 +30,8 @@ std::pair<double, double> mean_and_max(const std::vector<double>& values) {
 }  // namespace
 
 TidyObserver::TidyObserver(sim::Simulator& simulator, score::Referee& referee, const report::RunFolder& folder,
-                           ProgressLine& progress)
-    : simulator_(simulator), referee_(referee), folder_(folder), progress_(progress) {}
+                           ProgressLine& progress, Tell tell)
+    : simulator_(simulator), referee_(referee), folder_(folder), progress_(progress), tell_(std::move(tell)) {}
 
 mission::Sinks TidyObserver::sinks(bool stop_when_found) {
   mission::Sinks sinks;
@@ -56,6 +56,7 @@ mission::Sinks TidyObserver::sinks(bool stop_when_found) {
 
 void TidyObserver::note(Stamp stamp, const std::string& what) {
   log_ += fmt::format("{:9.2f} s  {}\n", seconds(stamp), what);
+  tell_(stamp, what);
 }
 
 void TidyObserver::on_step(const mission::StepEvent& event) {

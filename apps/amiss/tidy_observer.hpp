@@ -20,8 +20,10 @@ namespace amiss::app {
 
 class TidyObserver {
  public:
+  /// `tell` takes each line of the log, too.
+  using Tell = std::function<void(Stamp, const std::string&)>;
   TidyObserver(sim::Simulator& simulator, score::Referee& referee, const report::RunFolder& folder,
-               ProgressLine& progress);
+               ProgressLine& progress, Tell tell);
 
   /// Sinks that live as long as the observer.
   [[nodiscard]] mission::Sinks sinks(bool stop_when_found);
@@ -57,6 +59,7 @@ class TidyObserver {
   std::vector<double> comparisons_ms_, segmentations_ms_;
   Duration segmentation_cost_{};
   std::map<std::string, SegmentedUntil> found_after_;  // by object
+  Tell tell_;
   std::string log_;
 };
 

@@ -49,6 +49,10 @@ void TidyRecording::attach(mission::Sinks& sinks, const knowledge::KnowledgeBase
   if (rawlog_) rawlog_->attach(sinks);
 }
 
+void TidyRecording::log(Stamp stamp, const std::string& text) {
+  if (mcap_) mcap_->log(stamp, text);
+}
+
 void TidyRecording::close() {
   if (mcap_) mcap_->close();
   if (rawlog_) rawlog_->close();

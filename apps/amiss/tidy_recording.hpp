@@ -32,6 +32,7 @@ class TidyRecording {
   [[nodiscard]] robot::Robot& robot() { return mcap_ || rawlog_ ? recording_robot_ : robot_; }
   void attach(mission::Sinks& sinks, const knowledge::KnowledgeBase& knowledge,
               std::function<const mapping::VoxelMap&()> voxels);
+  void log(Stamp stamp, const std::string& text);
   void close();
 
   static constexpr const char *kMcap = "recording.mcap", *kRawlog = "recording.rawlog";

@@ -210,7 +210,8 @@ std::unique_ptr<mission::SearchMethod> make_search(const TidyOptions& options, c
 std::string search(const TidyOptions& options, const Settings& settings, const Stage& stage, ProgressLine& progress,
                    report::TidyReport& report) {
   const auto& [scene, prepared, simulator, referee, folder, page, recording] = stage;
-  TidyObserver observer(simulator, referee, folder, progress);
+  TidyObserver observer(simulator, referee, folder, progress,
+                        [&](Stamp stamp, const std::string& what) { recording.log(stamp, what); });
   mission::Sinks sinks = observer.sinks(options.until_found);
   page.attach(sinks);
   const std::filesystem::path domain_file = scene.resources.pddl / "search.pddl";

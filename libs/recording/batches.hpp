@@ -10,9 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/stamp.hpp"
 #include "core/worker.hpp"
 
 namespace amiss::recording {
+
+/// Of simulated time, from batch to batch: one is gathered while the one before is written, so a run that is killed
+/// loses at most a second.
+constexpr Duration kBatchPeriod = std::chrono::milliseconds(500);
 
 template <class Item>
 class Batches {

@@ -22,7 +22,6 @@ namespace amiss::recording {
 namespace {
 
 constexpr int kCompression = 1, kJpegQuality = 80;
-constexpr Duration kFlushPeriod = std::chrono::seconds(1);
 constexpr std::string_view kMemberHead("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10);  // of gzip: no name, no time, no system
 
 mrpt::Clock::time_point time_of(Stamp stamp) { return mrpt::Clock::fromDouble(seconds(stamp)); }
@@ -133,20 +132,20 @@ struct RawlogWriter::State {
   std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor{
       libdeflate_alloc_compressor(kCompression), &libdeflate_free_compressor};
   std::string room;
-  Batches<Item> seconds;  // the last member, so that it ends before what it works on
+  Batches<Item> batches;  // the last member, so that it ends before what it works on
 
   State(const std::filesystem::path& where, const Transform<Base, Laser>& laser, bool threaded)
       : path(where),
         T_base_laser(laser.T),
         file(where, std::ios::binary | std::ios::trunc),
-        seconds([this](const auto& second) { write(second); }, threaded) {
+        batches([this](const auto& batch) { write(batch); }, threaded) {
     file << kMemberHead;
     check();
     mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(false);  // MRPT's own default is pixels as they are
     mrpt::img::CImage::SERIALIZATION_JPEG_QUALITY(kJpegQuality);
   }
   void put(const robot::Observation& observation) {
-    seconds.add([this, observation](Archive& archive) {
+    batches.add([this, observation](Archive& archive) {
       archive << odometry_of(observation.odometry);
       if (observation.scan) archive << scan_of(*observation.scan, T_base_laser);
       if (observation.frame) archive << frame_of(*observation.frame);
@@ -156,12 +155,12 @@ struct RawlogWriter::State {
     });
   }
   void put(const std::string& label, const std::string& bytes) {
-    seconds.add([label, bytes, stamp = now](Archive& archive) { archive << data_of(label, stamp, bytes); });
+    batches.add([label, bytes, stamp = now](Archive& archive) { archive << data_of(label, stamp, bytes); });
   }
-  void write(const std::vector<Item>& second) {
+  void write(const std::vector<Item>& batch) {
     mrpt::io::CMemoryStream bytes;
     auto archive = mrpt::serialization::archiveFrom(bytes);
-    for (const Item& item : second) item(archive);
+    for (const Item& item : batch) item(archive);
     end_member(bytes.getRawBufferData(), bytes.getTotalBytesCount());
     file << kMemberHead << std::flush;
     check();
@@ -179,8 +178,8 @@ struct RawlogWriter::State {
     file << tail;
   }
   void close() {
-    seconds.hand_over();
-    seconds.join();
+    batches.hand_over();
+    batches.join();
     end_member("", 0);
     file.close();
     check();
@@ -205,8 +204,8 @@ RawlogWriter::~RawlogWriter() = default;
 void RawlogWriter::record(const robot::Observation& observation) {
   state_->now = observation.stamp;
   if (state_->now >= state_->next_flush) {
-    while (state_->next_flush <= state_->now) state_->next_flush += kFlushPeriod;
-    state_->seconds.hand_over();
+    while (state_->next_flush <= state_->now) state_->next_flush += kBatchPeriod;
+    state_->batches.hand_over();
   }
   state_->put(observation);
 }

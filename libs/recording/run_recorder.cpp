@@ -14,7 +14,6 @@ namespace amiss::recording {
 
 namespace {
 
-constexpr Duration kFlushPeriod = std::chrono::seconds(1);
 constexpr Duration kMapPeriod = std::chrono::seconds(2);
 constexpr int kJpegQuality = 80;
 
@@ -42,14 +41,14 @@ RunRecorder::RunRecorder(const std::filesystem::path& file, const RunSetup& setu
     : writer_(file, "ros2"),
       model_(*setup.model),
       floor_clearance_m_(setup.floor_clearance_m),
-      seconds_([this](const auto& second) { write(second); }, threaded) {
+      batches_([this](const auto& batch) { write(batch); }, threaded) {
   for (const auto& [name, bytes] : setup.documents) writer_.attach(name, "application/octet-stream", bytes);
   put("/amiss/setup", "amiss_msgs/msg/Setup", now_,
       setup_message({setup.seed, setup.method, setup.model->T_base_laser}));
   put("/tf_static", "tf2_msgs/msg/TFMessage", now_,
       transforms_message(now_, {{kBaseFrame, kLaserFrame, setup.model->T_base_laser.T}}));
   put("/map", "nav_msgs/msg/OccupancyGrid", now_, grid_message(now_, *setup.floor));
-  seconds_.hand_over();
+  batches_.hand_over();
 }
 
 RunRecorder::~RunRecorder() = default;
@@ -57,7 +56,7 @@ RunRecorder::~RunRecorder() = default;
 ChannelId RunRecorder::channel(const std::string& topic, const std::string& type) {
   const auto known = channels_.find(topic);
   if (known != channels_.end()) return known->second;
-  seconds_.join();  // the writer is used by one thread at a time
+  batches_.join();  // the writer is used by one thread at a time
   const ChannelId id = writer_.add_channel(topic, "cdr", type, "ros2msg", ros_schema(type));
   channels_.emplace(topic, id);
   return id;
@@ -68,14 +67,14 @@ void RunRecorder::put(const char* topic, const char* type, Stamp stamp, std::str
 }
 
 void RunRecorder::put_later(const char* topic, const char* type, Stamp stamp, std::function<std::string()> message) {
-  seconds_.add({channel(topic, type), stamp, std::move(message)});
+  batches_.add({channel(topic, type), stamp, std::move(message)});
 }
 
 void RunRecorder::record(const robot::Observation& observation) {
   now_ = observation.stamp;
   if (now_ >= next_flush_) {
-    while (next_flush_ <= now_) next_flush_ += kFlushPeriod;
-    seconds_.hand_over();
+    while (next_flush_ <= now_) next_flush_ += kBatchPeriod;
+    batches_.hand_over();
   }
   if (observation.scan)
     put("/scan", "sensor_msgs/msg/LaserScan", observation.scan->stamp, scan_message(*observation.scan));
@@ -113,10 +112,10 @@ void RunRecorder::attach(mission::Sinks& sinks, const knowledge::KnowledgeBase& 
   internal::chain<mission::PathEvent>(sinks.path, [this](const auto& e) {
     put("/path", "nav_msgs/msg/Path", now_, path_message(now_, e.path->points_m));
   });
-  sinks.log = [this, before = std::move(sinks.log)](Stamp stamp, const std::string& text) {
-    before(stamp, text);
-    put("/rosout", "rcl_interfaces/msg/Log", stamp, log_message(stamp, text));
-  };
+}
+
+void RunRecorder::log(Stamp stamp, const std::string& text) {
+  put("/rosout", "rcl_interfaces/msg/Log", stamp, log_message(stamp, text));
 }
 
 void RunRecorder::on_step(const mission::StepEvent& event) {
@@ -146,15 +145,15 @@ void RunRecorder::write_knowledge() {
   put("/regions", "visualization_msgs/msg/MarkerArray", now_, markers_message(now_, knowledge_->now()));
 }
 
-void RunRecorder::write(const std::vector<Pending>& second) {
-  for (const Pending& p : second) writer_.write(p.channel, p.stamp, p.message());
+void RunRecorder::write(const std::vector<Pending>& batch) {
+  for (const Pending& p : batch) writer_.write(p.channel, p.stamp, p.message());
   writer_.flush();
 }
 
 void RunRecorder::close() {
   write_map();
-  seconds_.hand_over();
-  seconds_.join();
+  batches_.hand_over();
+  batches_.join();
   writer_.close();
 }
 

@@ -1,6 +1,6 @@
 // Records a run as MCAP while it goes on: what the robot's sensors said, exactly, and what the stages made of it, as
-// ROS 2 messages. A simulated second becomes a chunk and is in the file before the next one ends: a run that is killed
-// loses that second at most. Pictures and chunks are compressed beside the run. Recording changes nothing in a run.
+// ROS 2 messages. Half a simulated second becomes a chunk and is in the file before the next one ends: a run that is
+// killed loses a second at most. Pictures and chunks are compressed beside the run. Recording changes nothing in a run.
 //
 //   RunRecorder recorder(file, setup, threaded);
 //   RecordingRobot robot(simulator, [&](const auto& o) { recorder.record(o); });  // what the mission gets
@@ -37,6 +37,8 @@ class RunRecorder {
   /// knowledge and the map that it is shown.
   void attach(mission::Sinks& sinks, const knowledge::KnowledgeBase& knowledge,
               std::function<const mapping::VoxelMap&()> voxels);
+  /// A line of the run's log.
+  void log(Stamp stamp, const std::string& text);
   void close();
 
  private:
@@ -52,7 +54,7 @@ class RunRecorder {
   void on_step(const mission::StepEvent& event);
   void write_knowledge();
   void write_map();
-  void write(const std::vector<Pending>& second);
+  void write(const std::vector<Pending>& batch);
 
   McapWriter writer_;
   const robot::Model& model_;
@@ -64,7 +66,7 @@ class RunRecorder {
   Stamp now_, next_flush_, next_map_;
   std::string told_markers_;
   std::uint64_t told_revision_ = 0;
-  Batches<Pending> seconds_;  // the last member, so that it ends before what it works on
+  Batches<Pending> batches_;  // the last member, so that it ends before what it works on
 };
 
 /// A robot that somebody listens to.

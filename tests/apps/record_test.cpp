@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "apps/program.hpp"
@@ -59,10 +60,20 @@ TEST_F(Record, AReplayFindsWhatTheRunFoundAndRecordingChangesNothing) {
   EXPECT_GT(report.at("frames"), 3);
 }
 
+/// Simulated seconds up to which the run came, as its timeline tells.
+double last_moment(const std::string& timeline) {
+  double last_s = 0.0;
+  std::istringstream lines(timeline);
+  for (std::string line; std::getline(lines, line) && !lines.eof();) {
+    last_s = std::max(last_s, nlohmann::json::parse(line).value("t", 0.0));
+  }
+  return last_s;
+}
+
 TEST_F(Record, ARunThatWasKilledIsReplayedUpToItsLastSecond) {
   test::use_test_cache();
   std::vector<std::string> words = kSearch;
-  words.insert(words.end(), {"--out", "run", "--record", "mcap", "--until", "explored"});
+  words.insert(words.end(), {"--out", "run", "--record", "both", "--until", "explored"});
   test::Program program(words, folder.path());
   const auto file = folder.path() / "run" / "recording.mcap";
   const auto recorded = [&] { return std::filesystem::exists(file) ? std::filesystem::file_size(file) : 0; };
@@ -70,11 +81,16 @@ TEST_F(Record, ARunThatWasKilledIsReplayedUpToItsLastSecond) {
   ASSERT_TRUE(program.runs());
   program.send(SIGKILL);
   program.wait();
-  const Ended replayed = amiss({"replay", "run/recording.mcap", "--json"});
-  ASSERT_EQ(replayed.status, 0) << replayed.err;
-  const auto report = nlohmann::json::parse(replayed.out);
-  EXPECT_FALSE(report.at("complete"));
-  EXPECT_GT(report.at("frames"), 3);
+  const double reached_s = last_moment(folder.read("run/timeline.jsonl"));
+  ASSERT_GT(reached_s, 2.0);
+  for (const char* recording : {"run/recording.mcap", "run/recording.rawlog"}) {
+    const Ended replayed = amiss({"replay", recording, "--json"});
+    ASSERT_EQ(replayed.status, 0) << replayed.err;
+    const auto report = nlohmann::json::parse(replayed.out);
+    EXPECT_FALSE(report.at("complete"));
+    EXPECT_GT(report.at("frames"), 3);
+    EXPECT_GE(report.at("simulated_s").get<double>(), reached_s - 1.0) << recording;
+  }
 }
 
 TEST_F(Record, WhatIsNoRecordingIsRefused) {

@@ -114,7 +114,7 @@ TEST(RawlogWriter, AFolderThatIsNotThereIsRefused) {
   EXPECT_THROW(RawlogWriter("/nonexistent/a.rawlog", Transform<Base, Laser>{}, false), std::runtime_error);
 }
 
-TEST(RawlogWriter, SecondsFollowOneAnotherAndThreadsChangeNothing) {
+TEST(RawlogWriter, BatchesFollowOneAnotherAndThreadsChangeNothing) {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = written(folder, 25);  // 2.5 s
   const std::string bytes = folder.read("a.rawlog");
@@ -123,8 +123,8 @@ TEST(RawlogWriter, SecondsFollowOneAnotherAndThreadsChangeNothing) {
   EXPECT_EQ(log.size(), 51U);
   RawlogWriter alone(file, laser(), false);
   for (int period = 1; period <= 25; ++period) alone.record(observation(period));
-  ASSERT_TRUE(log.loadFromRawLogFile(file.string())) << "what was written before the last second is there already";
-  EXPECT_EQ(log.size(), 39U);
+  ASSERT_TRUE(log.loadFromRawLogFile(file.string())) << "what was handed over is there already";
+  EXPECT_EQ(log.size(), 49U);  // all but the 25th period, at 2.5 s, which begins a batch
   RawlogReader reader(file);
   while (reader.next()) {
   }

@@ -94,7 +94,7 @@ for (const name of ['params.yaml', 'world.sdf', 'map.yaml', 'map.pgm', 'mapped.o
   assert.ok(attachments.has(name), name);
 }
 const seconds = Math.floor(report.time.simulated_s);
-assert.ok(indexed.chunkIndexes.length >= seconds, 'a chunk for each simulated second');
+assert.ok(indexed.chunkIndexes.length >= 2 * seconds, 'a chunk for each half of a simulated second');
 
 // What the messages say.
 const of = (topic) => {
@@ -127,6 +127,8 @@ const markers = of('/regions').at(-1).markers;
 assert.equal(markers.filter((m) => m.ns === 'regions').length, report.regions.detected - report.regions.withdrawn);
 assert.ok(markers.some((m) => m.ns === 'objects'));
 assert.ok(of('/plan')[0].data.includes('goto_waypoint'));
+const said = readFileSync(join(folder, 'recorded', 'log.txt'), 'utf8').trim().split('\n').map((line) => line.replace(/^.* s {2}/, ''));
+assert.deepEqual(of('/rosout').map((m) => m.msg), said, 'the run\'s log');
 assert.ok(of('/path')[0].poses.length > 1);
 assert.equal(of('/odom').length, of('/amiss/observation').length);
 console.log(`${messages} messages on ${decoder.byTopic.size} topics, ${indexed.chunkIndexes.length} chunks, ` +
