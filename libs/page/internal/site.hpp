@@ -4,6 +4,8 @@
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
 #include <functional>
 #include <list>
 #include <map>
@@ -22,6 +24,8 @@ namespace amiss::page {
 class SocketSession;
 
 struct Site {
+  static constexpr std::chrono::milliseconds kRest{40};
+
   Site(History& told, Pace* set) : history(told), pace(set) {}
 
   Policy policy;
@@ -32,14 +36,19 @@ struct Site {
   std::atomic<std::size_t> connections = 0, sockets = 0;
   std::list<std::weak_ptr<SocketSession>> watching;
   std::atomic<bool> woken = false;
-  boost::asio::io_context context{1};  // last: what its handlers hold looks at the others when it goes
+  boost::asio::io_context context{1};  // after these: what its handlers hold looks at them when it goes
+  boost::asio::steady_timer rest{context};
 
-  /// From any thread: there is something new to send.
+  /// From any thread: there is something new to send. What comes within a rest goes out together: a run that is many
+  /// times faster than real would else be interrupted for each of its events.
   void wake() {
     if (woken.exchange(true)) return;
     boost::asio::post(context, [this] {
-      woken = false;
-      send_news();
+      rest.async_wait([this](boost::system::error_code) {
+        woken = false;
+        rest.expires_after(kRest);
+        send_news();
+      });
     });
   }
   void send_news();  // in socket_session.cpp
