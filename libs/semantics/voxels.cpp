@@ -41,13 +41,12 @@ Voxels voxels_of(const Cloud<Map>& cloud, double edge_m) {
     const Eigen::Vector3f& p = cloud.points[i];
     if (!is_near(p)) continue;
     const Eigen::Vector3i cell = cell_of(p, edge_m);
-    const auto [place, is_new] = voxels.index.try_emplace(cell_key(cell), static_cast<std::uint32_t>(voxels.size()));
-    if (is_new) {
+    const std::uint32_t v = voxels.index.at_or_put(cell_key(cell), static_cast<std::uint32_t>(voxels.size()));
+    if (v == voxels.size()) {
       voxels.cells.push_back(cell);
       for (auto* sums : {&voxels.positions, &voxels.colours, &voxels.normals}) sums->push_back(Eigen::Vector3f::Zero());
       counts.push_back(0);
     }
-    const std::uint32_t v = place->second;
     voxels.of_point[i] = v;
     ++counts[v];
     voxels.positions[v] += p;

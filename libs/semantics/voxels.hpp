@@ -4,17 +4,15 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
-#include <unordered_map>
 #include <vector>
 
 #include "core/frames.hpp"
-#include "semantics/internal/cells.hpp"
+#include "semantics/internal/cell_index.hpp"
 
 namespace amiss::semantics {
 
 struct Voxels {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = CellIndex::kNone;
 
   double edge_m = 0.02;
   std::vector<Eigen::Vector3i> cells;
@@ -22,13 +20,10 @@ struct Voxels {
   std::vector<Eigen::Vector3f> colours;  // zero where the cloud has none
   std::vector<Eigen::Vector3f> normals;  // unit vectors; zero where the cloud has none or they cancel
   std::vector<std::uint32_t> of_point;   // kNone for points that are not finite
-  std::unordered_map<std::uint64_t, std::uint32_t, CellHash> index;
+  CellIndex index;
 
   [[nodiscard]] std::size_t size() const { return cells.size(); }
-  [[nodiscard]] std::uint32_t at(const Eigen::Vector3i& cell) const {
-    const auto found = index.find(cell_key(cell));
-    return found == index.end() ? kNone : found->second;
-  }
+  [[nodiscard]] std::uint32_t at(const Eigen::Vector3i& cell) const { return index.at(cell_key(cell)); }
 };
 
 [[nodiscard]] Voxels voxels_of(const Cloud<Map>& cloud, double edge_m);

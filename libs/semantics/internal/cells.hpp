@@ -31,10 +31,6 @@ inline std::uint64_t mixed(std::uint64_t bits) {
   return bits ^ (bits >> 31U);
 }
 
-struct CellHash {
-  std::size_t operator()(std::uint64_t key) const { return mixed(key); }
-};
-
 /// f(offset) for the 27 cells around a cell, z first, the cell itself among them.
 template <class F>
 void for_neighbours(const F& f) {

@@ -54,7 +54,7 @@ Surrounding summary(const Sums& sums, const Eigen::Vector3d& middle) {
 
 Surroundings surroundings_of(const Voxels& voxels, double cell_m, int threads) {
   Surroundings result;
-  std::unordered_map<std::uint64_t, std::uint32_t, CellHash> index;
+  CellIndex index;
   std::vector<Eigen::Vector3i> cells;
   std::vector<Sums> sums;
   const auto middle_of = [&](const Eigen::Vector3i& cell) {
@@ -62,21 +62,21 @@ Surroundings surroundings_of(const Voxels& voxels, double cell_m, int threads) {
   };
   for (std::size_t v = 0; v < voxels.size(); ++v) {
     const Eigen::Vector3i cell = cell_of(voxels.positions[v], cell_m);
-    const auto [place, is_new] = index.try_emplace(cell_key(cell), static_cast<std::uint32_t>(cells.size()));
-    if (is_new) {
+    const std::uint32_t c = index.at_or_put(cell_key(cell), static_cast<std::uint32_t>(cells.size()));
+    if (c == cells.size()) {
       cells.push_back(cell);
       sums.emplace_back();
     }
-    result.of_voxel.push_back(place->second);
-    sums[place->second].add(voxels.positions[v].cast<double>() - middle_of(cell), voxels.colours[v].cast<double>());
+    result.of_voxel.push_back(c);
+    sums[c].add(voxels.positions[v].cast<double>() - middle_of(cell), voxels.colours[v].cast<double>());
   }
   result.cells.resize(cells.size());
   in_parallel(cells.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       Sums around;
       for_neighbours([&](const Eigen::Vector3i& offset) {
-        const auto found = index.find(cell_key(cells[c] + offset));
-        if (found != index.end()) around.add(sums[found->second], offset.cast<double>() * cell_m);
+        const std::uint32_t other = index.at(cell_key(cells[c] + offset));
+        if (other != CellIndex::kNone) around.add(sums[other], offset.cast<double>() * cell_m);
       });
       result.cells[c] = summary(around, middle_of(cells[c]));
     }
