@@ -19,8 +19,47 @@ double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 ordered_json json_of(const Eigen::Vector3d& p) { return {rounded(p.x()), rounded(p.y()), rounded(p.z())}; }
 
-ordered_json json_of(const change::Decision& d) {
+/// The number that a verdict rests on, and the parameter it was held against.
+ordered_json reason_of(const change::Decision& d, const change::NovelParams& p) {
+  using change::Verdict;
+  const auto because = [](const char* number, double value, const char* parameter, double limit) {
+    return ordered_json{{"number", number}, {"value", rounded(value)}, {"parameter", parameter}, {"limit", limit}};
+  };
+  switch (d.verdict) {
+    case Verdict::kNovel:
+      if (d.overlap_moved < p.max_overlap) {
+        return because("overlap_moved", d.overlap_moved, "detect.max_overlap", p.max_overlap);
+      }
+      if (d.taken > p.max_taken) return because("taken", d.taken, "detect.max_taken", p.max_taken);
+      if (d.left_over > p.max_left_over)
+        return because("left_over", d.left_over, "detect.max_left_over", p.max_left_over);
+      return because("colour_distance", d.colour_distance, "detect.max_colour_distance", p.max_colour_distance);
+    case Verdict::kAtRest:
+      return because("overlap_at_rest", d.overlap_at_rest, "detect.max_overlap", p.max_overlap);
+    case Verdict::kMovedALittle:
+      return because("overlap_moved", d.overlap_moved, "detect.max_overlap", p.max_overlap);
+    case Verdict::kUnseen:
+      return because("unseen", d.unseen, "detect.max_unseen", p.max_unseen);
+    case Verdict::kShallow:
+      return because("depth_m", d.depth_m, "detect.min_depth", p.min_depth_m);
+    case Verdict::kContinued:
+      return because("continued", d.continued, "detect.max_continued", p.max_continued);
+    case Verdict::kNudged:
+      return because("nudged", d.nudged, "detect.max_nudged", p.max_nudged);
+    case Verdict::kTooSmall:
+      return because("points", d.points, "detect.min_points", p.min_points);
+    case Verdict::kTooLarge:
+      return because("size_m", (d.high_m - d.low_m).maxCoeff(), "detect.max_size", p.max_size_m);
+    case Verdict::kNotVerified:
+      break;
+  }
+  return nullptr;
+}
+
+ordered_json json_of(const change::Decision& d, const change::NovelParams& params) {
   return {{"verdict", change::name_of(d.verdict)},
+          {"because", reason_of(d, params)},
+          {"object", d.object ? ordered_json(*d.object + 1) : ordered_json(nullptr)},
           {"source", d.source},
           {"points", d.points},
           {"label", to_string(d.label)},
@@ -77,7 +116,7 @@ ordered_json objects_json(const change::Detection& detection, const change::Nove
                        {"low_m", json_of(object.low_m)},
                        {"high_m", json_of(object.high_m)}});
   }
-  for (const change::Decision& decision : detection.decisions) decisions.push_back(json_of(decision));
+  for (const change::Decision& decision : detection.decisions) decisions.push_back(json_of(decision, params));
   change::NovelParams used = params;
   ParamTable table;
   change::describe(table, used);

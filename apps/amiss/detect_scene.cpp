@@ -9,6 +9,7 @@
 #include "core/result.hpp"
 #include "mapping/voxel_files.hpp"
 #include "resources.hpp"
+#include "semantics_label.hpp"
 #include "semantics/forest_labeller.hpp"
 
 namespace amiss::app {
@@ -37,7 +38,8 @@ SemanticClass class_of(double value, const fs::path& file, std::size_t point) {
 
 void take_from_field(LoadedScene& loaded, const dataset::ScalarField& field, const fs::path& file) {
   for (const std::uint32_t i : loaded.in_file) loaded.scene.labels.push_back(class_of(field.values[i], file, i));
-  loaded.labels = "field 'label' of " + file.filename().string();
+  const std::string labeller = told_labeller(loaded.file);
+  loaded.labels = "field 'label' of " + file.filename().string() + (labeller.empty() ? "" : ", by " + labeller);
 }
 
 void take_from_forest(LoadedScene& loaded, const fs::path& model) {

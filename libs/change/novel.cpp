@@ -67,9 +67,11 @@ Found not_verified(const RoomPair& pair, From from, const NovelParams& params) {
   return found;
 }
 
-/// The points of the scene whose thinned points are novel, in clusters (Section 5.2.2, last step).
-std::vector<NovelObject> objects_of(const Scene& scene, const internal::ThinnedScene& thinned, Indices novel,
+/// The points of the scene whose thinned points are novel, in clusters (Section 5.2.2, last step); decisions are told
+/// what became of them.
+std::vector<NovelObject> objects_of(const Scene& scene, const internal::ThinnedScene& thinned, Found& found,
                                     const NovelParams& params) {
+  Indices& novel = found.novel;
   std::sort(novel.begin(), novel.end());
   novel.erase(std::unique(novel.begin(), novel.end()), novel.end());
   std::vector<NovelObject> objects;
@@ -89,6 +91,10 @@ std::vector<NovelObject> objects_of(const Scene& scene, const internal::ThinnedS
     object.low_m = object.low_m.cwiseMin(p);
     object.high_m = object.high_m.cwiseMax(p);
     object.points.push_back(i);
+  }
+  for (Decision& d : found.decisions) {
+    const bool counts = d.verdict == Verdict::kNovel || d.verdict == Verdict::kNotVerified;
+    if (counts && object_of[d.point] >= 0) d.object = static_cast<std::size_t>(object_of[d.point]);
   }
   return objects;
 }
@@ -133,7 +139,7 @@ Detection NovelDetector::detect(const std::string& method) const {
   if (method == "metaroom") found.novel = internal::metaroom_difference(pair, params);
 
   Detection out;
-  out.objects = objects_of(current, pair.current, std::move(found.novel), params);
+  out.objects = objects_of(current, pair.current, found, params);
   out.decisions = std::move(found.decisions);
   out.planes = static_cast<int>(pair.supports.size());
   const Eigen::Isometry3f& T = pair.drift.whole();

@@ -45,7 +45,7 @@ struct NovelParams {
   double min_depth_m = 0.018;         // by which a part of something at rest differs from the reference
   double continuation_m = 0.1;        // how far a surface of the reference may be continued where it was not seen
   double max_continued = 0.4;         // of a part that continues a surface
-  double nudge_m = 0.03;              // beside an edge of the reference
+  double nudge_m = 0.045;             // beside an edge of the reference
   double max_nudged = 0.4;            // of a part that stands so near beside an edge
   double recolour = 60.0;             // Euclidean in RGB of 0..255, by which a flat thing differs from what it lies on
   double recolour_reach_m = 0.1;      // and from all of the reference that is so near
@@ -68,7 +68,9 @@ enum class Verdict {
 
 /// What was decided about one candidate, and why.
 struct Decision {
-  std::string source;  // "plane", "otherprop", "colour"
+  std::string source;                 // "plane", "otherprop", "colour"
+  std::optional<std::size_t> object;  // of Detection::objects, that it became or became a part of
+  std::uint32_t point = 0;            // one of its points, of the thinned cloud
   Verdict verdict = Verdict::kNovel;
   int points = 0;                                                                     // of the thinned cloud
   SemanticClass label = SemanticClass::kUnlabelled;                                   // of most of its points

@@ -13,6 +13,8 @@ void describe(ParamTable& table, NovelParams& p) {
                "largest distance of object-map alignment (d_om)");
   table.number("detect.reference_margin", p.reference_margin_m, "m", 0.01, 1.0,
                "crop of the reference round a candidate (c_ref): permanent things may move so far");
+  table.number("detect.current_margin", p.current_margin_m, "m", 0.0, 0.5,
+               "round a candidate (c_curr): what moved with it");
   table.number("detect.difference", p.difference_m, "m", 0.002, 0.2, "of Equation 5.1 (d)");
   table.number("detect.max_overlap", p.max_overlap, "1", 0.0, 1.0, "of a novel object with the reference (o_max)");
   table.number("detect.filter_distance", p.filter_distance_m, "m", 0.002, 0.2,

@@ -89,6 +89,11 @@ TEST_F(Detect, FindsTheNewObjectOfAFolderOfOthers) {
   EXPECT_NEAR(objects["objects"][0]["centre_m"][0].get<double>(), 0.535, 0.01);
   EXPECT_NEAR(objects["objects"][0]["centre_m"][2].get<double>(), 0.76, 0.01);
   EXPECT_EQ(objects["parameters"]["detect.min_points"], "20");
+  for (const auto& decision : objects["decisions"]) {
+    if (decision["verdict"] != "novel") continue;
+    EXPECT_EQ(decision["because"]["parameter"].get<std::string>().rfind("detect.max_", 0), 0U) << decision;
+    EXPECT_LE(decision["object"].get<std::size_t>(), objects["objects"].size());
+  }
   EXPECT_TRUE(std::any_of(objects["decisions"].begin(), objects["decisions"].end(),
                           [](const auto& d) { return d["verdict"] == "moved a little"; }));
   const dataset::CloudFile painted = dataset::load_cloud(folder.path() / "out/scene3/detected.ply");

@@ -9,7 +9,7 @@ enum class From { kPlanesAndLabels, kLabels };
 /// Points of surfaces that are labelled otherprop: a table top beside a labelled cup, or the top of a box.
 enum class Surfaces { kLeftOut, kKept };
 
-/// Largest first; each point is in one candidate at most.
+/// Each point is in one candidate at most; largest first, with kKept on each surface.
 [[nodiscard]] std::vector<Candidate> candidates_of(const ThinnedScene& current, const std::vector<Support>& supports,
                                                    From from, Surfaces surfaces, const NovelParams& params);
 

@@ -27,9 +27,9 @@ bool alike(const RoomPair& pair, std::uint32_t i, std::uint32_t j, const NovelPa
 }  // namespace
 
 bool continues(const RoomPair& pair, std::uint32_t i, const NovelParams& params) {
-  if (pair.reference_space == nullptr) return false;
   const Eigen::Vector3f& p = pair.placed[i];
-  if (pair.reference_space->at(p.cast<double>()) == Occupancy::kFree) return false;
+  const mapping::VoxelMap* const space = pair.reference_space;
+  if (space != nullptr && space->at(p.cast<double>()) == Occupancy::kFree) return false;
   const auto offset = static_cast<float>(params.planes.distance_m);
   return pair.reference.grid
       .nearest_of(p, static_cast<float>(params.continuation_m),

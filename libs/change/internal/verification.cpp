@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMaxFurnitureM = 1.6;    // what is wider is built in, and does not move
 constexpr double kMinUnexplained = 0.05;  // of a cluster, before it is asked whether it moved as a whole
+constexpr float kDepthReachM = 0.05F;     // what is farther from the reference is no deeper
 constexpr std::size_t kMinRest = 60;      // points of a thing beside what is no object; less are its frayed edges
 
 using segment::Indices;
@@ -74,13 +75,13 @@ double unseen_share(const RoomPair& pair, const Indices& points) {
   return static_cast<double>(n) / static_cast<double>(points.size());
 }
 
-/// Upper quartile of the distances from the reference; what is farther than `reach_m` counts as just there.
-double depth_of(const RoomPair& pair, const Indices& points, float reach_m) {
+/// Upper quartile of the distances from the reference.
+double depth_of(const RoomPair& pair, const Indices& points) {
   std::vector<float> distances;
   distances.reserve(points.size());
   for (const std::uint32_t i : points) {
-    const auto nearest = pair.reference.grid.nearest(pair.placed[i], reach_m);
-    distances.push_back(nearest ? std::sqrt(nearest->squared_m2) : reach_m);
+    const auto nearest = pair.reference.grid.nearest(pair.placed[i], kDepthReachM);
+    distances.push_back(nearest ? std::sqrt(nearest->squared_m2) : kDepthReachM);
   }
   const auto quartile = distances.begin() + 3 * std::ssize(distances) / 4;
   std::nth_element(distances.begin(), quartile, distances.end());
@@ -127,7 +128,7 @@ Verdict decide_part(const RoomPair& pair, const Candidate& part, double overlap_
   Decision decision = described(pair.current, part);
   decision.overlap_at_rest = overlap_at_rest;
   decision.unseen = unseen_share(pair, part.points);
-  decision.depth_m = depth_of(pair, part.points, static_cast<float>(params.current_margin_m));
+  decision.depth_m = depth_of(pair, part.points);
   decision.continued = continued_share(pair, part.points, params);
   decision.nudged = nudged_share(pair, part.points, params);
   if (decision.points < params.min_points) {
@@ -171,6 +172,7 @@ Decision described(const ThinnedScene& current, const Candidate& candidate) {
   d.source = candidate.source;
   d.support_height_m = candidate.support_height_m;
   d.points = static_cast<int>(candidate.points.size());
+  d.point = candidate.points.front();
   d.low_m = d.high_m = current.points[candidate.points.front()].cast<double>();
   std::array<int, 256> votes{};
   for (const std::uint32_t i : candidate.points) {
