@@ -1,6 +1,7 @@
 // Runs the amiss program as a child: arguments -> exit status and what it wrote.
 #pragma once
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -15,6 +16,15 @@
 #include "core/temporary_folder.hpp"
 
 namespace amiss::test {
+
+/// Are there pseudo-terminals? A bare chroot has none.
+inline bool has_terminals() {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0) return false;
+  const bool usable = ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0;
+  ::close(terminal);
+  return usable;
+}
 
 struct Ended {
   int status = -1;  // -1000 - signal when one ended it

@@ -157,6 +157,7 @@ TEST_F(Setup, ZshCompletes) {
 
 TEST_F(Setup, ZshCompletesWhatIsTyped) {
   if (!has("zsh")) GTEST_SKIP() << "zsh is not installed";
+  if (!test::has_terminals()) GTEST_SKIP() << "there are no pseudo-terminals here";
   EXPECT_EQ(zsh_makes("amiss doc"), "amiss doctor ");
   EXPECT_EQ(zsh_makes("amiss experiment stat"), "amiss experiment status ");
   EXPECT_EQ(zsh_makes("amiss tidy --meth"), "amiss tidy --method ");

@@ -202,6 +202,7 @@ TEST_F(ViewOf, ATokenCanComeFromTheEnvironment) {
 /// A browser that takes its time and talks: nobody waits for it, and it gets none of the program's files.
 TEST(Watch, ABrowserIsOpenedAndLeftAlone) {
   if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script is not installed: no terminal";
+  if (!test::has_terminals()) GTEST_SKIP() << "there are no pseudo-terminals here";
   const test::TemporaryFolder folder;
   const std::string here = folder.path().string();
   folder.write("xdg-open",
